@@ -1,0 +1,11 @@
+//! From text to `Program`: one parser, one model, one lowered form.
+//!
+//! Data flows one way: [`source`] -> lexer -> parser -> [`ast`] -> model -> checks -> lowering -> tables. Everything
+//! that is wrong on the way is a [`diagnostic::Diagnostic`]. How a program runs is not known here.
+
+#![forbid(unsafe_code)]
+
+pub mod application;
+pub mod ast;
+pub mod diagnostic;
+pub mod source;
