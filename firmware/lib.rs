@@ -1,0 +1,3 @@
+//! The application image: the tasks around the scan.
+
+#![no_std]
