@@ -19,4 +19,14 @@
 #![no_std]
 #![forbid(unsafe_code)]
 
+mod action;
+mod bits;
+pub mod engine;
+mod evolution;
+mod expression;
+mod hierarchy;
+pub mod memory;
 pub mod program;
+mod watch;
+
+pub use engine::Engine;

@@ -344,9 +344,9 @@ pub struct Enclosing {
     pub step: Bit,
     /// First word in [`Program::situations`] of the set that its activation gives.
     pub situation: u16,
-    /// First word in [`Program::situations`] of what the graph takes when the step is initial: its own initial
+    /// For an initial step, first word in [`Program::situations`] of what the graph takes in scan 0: its own initial
     /// steps, or the set when it has none.
-    pub at_start: u16,
+    pub at_start: Option<u16>,
 }
 
 /// A forcing statement.
@@ -354,6 +354,8 @@ pub struct Enclosing {
 pub struct Order {
     /// The graph that is forced.
     pub graph: u16,
+    /// Place in the source among the orders of one graph: of two valid ones the later wins.
+    pub rank: u16,
     /// Into what.
     pub situation: Forced,
     /// The condition behind `IF`.
@@ -460,6 +462,14 @@ pub struct Layout {
     pub stack: u16,
     /// Words with one bit for each transition.
     pub fired: u16,
+}
+
+impl Layout {
+    /// Words with the bits of steps and macro steps: what is remembered of the scan before.
+    #[must_use]
+    pub const fn situation_words(&self) -> usize {
+        self.situations.len as usize + self.macros.len as usize
+    }
 }
 
 /// A compiled program.

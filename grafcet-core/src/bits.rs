@@ -1,0 +1,22 @@
+//! Walking over the bits that are set.
+
+/// The places of the set bits of consecutive words, lowest first.
+pub(crate) fn set_bits(words: &[u32]) -> impl Iterator<Item = usize> + '_ {
+    words
+        .iter()
+        .enumerate()
+        .flat_map(|(index, word)| set_bits_of(*word).map(move |bit| index * 32 + bit))
+}
+
+/// The places of the set bits of one word, lowest first.
+pub(crate) fn set_bits_of(word: u32) -> impl Iterator<Item = usize> {
+    let mut rest = word;
+    core::iter::from_fn(move || {
+        if rest == 0 {
+            return None;
+        }
+        let bit = rest.trailing_zeros() as usize;
+        rest &= rest - 1;
+        Some(bit)
+    })
+}

@@ -1,0 +1,234 @@
+//! Enclosing and forcing: graphs from the top of the hierarchy down (`semantics.md`, phase 4; IEC 60848, 9.2).
+
+use crate::bits::set_bits_of;
+use crate::engine::Engine;
+use crate::memory::{Given, Standing};
+use crate::program::{Enclosing, Forced, Graph, Run};
+use crate::watch::Pass;
+
+/// Where a graph takes its situation from.
+enum Decision {
+    /// Nothing active.
+    Empty,
+    /// A set in the table of situations.
+    Set(u16),
+    /// The situation before this scan (round).
+    Before,
+    /// Its own evolution, or in scan 0 what it has taken.
+    Own,
+}
+
+impl Engine<'_, '_> {
+    /// Gives every graph its initial situation, an enclosed one only when an initial step encloses it.
+    pub(crate) fn take_initial_situations(&mut self) {
+        let program = self.program;
+        for &index in program.hierarchy {
+            let Some(graph) = program.graphs.get(usize::from(index)) else {
+                continue;
+            };
+            let enclosings = graph.enclosings.of(program.enclosings);
+            if enclosings.is_empty() {
+                self.take(graph, graph.initial);
+            } else if let Some(situation) = self.at_start(enclosings) {
+                self.take(graph, situation);
+            }
+        }
+        self.refresh_all_macros();
+    }
+
+    /// What an active initial step gives to the graph that it encloses; of several the last in the source.
+    fn at_start(&self, enclosings: &[Enclosing]) -> Option<u16> {
+        let active = |by: &&Enclosing| by.at_start.is_some() && self.memory.bit(by.step);
+        enclosings.iter().rfind(active).and_then(|by| by.at_start)
+    }
+
+    /// Phase 4.
+    pub(crate) fn settle_hierarchy(&mut self, pass: Pass) {
+        let program = self.program;
+        if program.orders.is_empty() && program.enclosings.is_empty() {
+            return;
+        }
+        for standing in self.memory.standings.iter_mut() {
+            standing.order = None;
+        }
+        for &index in program.hierarchy {
+            let Some(graph) = program.graphs.get(usize::from(index)) else {
+                continue;
+            };
+            self.watch(graph.self_watches, pass);
+            self.give_self_orders(graph, index);
+            self.settle(graph, index, pass);
+            self.watch(graph.watches, pass);
+            self.give_orders(graph.orders, index);
+            self.give_orders_of_steps(graph, index);
+        }
+    }
+
+    fn settle(&mut self, graph: &Graph, index: u16, pass: Pass) {
+        let standing = self.standing(index);
+        let decision = self.decide(graph, &standing, pass);
+        let void = !matches!(decision, Decision::Own);
+        let held = standing.order.is_some() && self.may_be_ordered(graph);
+        match decision {
+            Decision::Empty => self.empty(graph),
+            Decision::Set(situation) => self.take(graph, situation),
+            Decision::Before => self.take_before(graph, pass),
+            Decision::Own => {}
+        }
+        if void {
+            self.void_fired(graph);
+            self.refresh_macros(index);
+        }
+        if let Some(standing) = self.memory.standings.get_mut(usize::from(index)) {
+            *standing = Standing {
+                order: standing.order,
+                held,
+                void,
+            };
+        }
+    }
+
+    /// The first line of phase 4 that applies.
+    fn decide(&self, graph: &Graph, standing: &Standing, pass: Pass) -> Decision {
+        let enclosings = graph.enclosings.of(self.program.enclosings);
+        if !self.may_be_ordered(graph) {
+            return Decision::Empty;
+        }
+        if let Some(given) = standing.order {
+            return match given.situation {
+                Forced::Set(situation) => Decision::Set(situation),
+                Forced::Current => Decision::Before,
+            };
+        }
+        let keeps_start = pass == Pass::Start && self.at_start(enclosings).is_some();
+        if !keeps_start && let Some(by) = enclosings.iter().rfind(|by| self.is_activated(by)) {
+            return Decision::Set(by.situation);
+        }
+        if standing.held {
+            return Decision::Before;
+        }
+        Decision::Own
+    }
+
+    /// An order on an enclosed graph is valid only while an enclosing step is active.
+    fn may_be_ordered(&self, graph: &Graph) -> bool {
+        let enclosings = graph.enclosings.of(self.program.enclosings);
+        enclosings.is_empty() || enclosings.iter().any(|by| self.memory.bit(by.step))
+    }
+
+    fn is_activated(&self, by: &Enclosing) -> bool {
+        self.memory.bit(by.step) && !self.memory.was_active(&self.program.layout, by.step)
+    }
+
+    fn empty(&mut self, graph: &Graph) {
+        for word in graph.words.indices() {
+            self.set_word(word, 0);
+        }
+    }
+
+    fn take(&mut self, graph: &Graph, situation: u16) {
+        for (offset, word) in graph.words.indices().enumerate() {
+            let set = self.program.situations.get(usize::from(situation) + offset);
+            self.set_word(word, set.copied().unwrap_or(0));
+        }
+    }
+
+    /// `{*}` and a held graph: the situation before this scan (round), the initial one in scan 0.
+    fn take_before(&mut self, graph: &Graph, pass: Pass) {
+        if pass == Pass::Start {
+            self.take(graph, graph.initial);
+            return;
+        }
+        let first = graph.words.start;
+        let offset = usize::from(first - self.program.layout.situations.start.min(first));
+        for (index, word) in graph.words.indices().enumerate() {
+            let steps = self.memory.before.get(offset + index).copied().unwrap_or(0);
+            self.set_word(word, steps);
+        }
+    }
+
+    fn set_word(&mut self, word: usize, value: u32) {
+        if let Some(word) = self.memory.image.get_mut(word) {
+            *word = value;
+        }
+    }
+
+    fn give_self_orders(&mut self, graph: &Graph, by: u16) {
+        if self.standing(by).order.is_none() {
+            self.give_orders(graph.self_orders, by);
+        }
+    }
+
+    fn give_orders_of_steps(&mut self, graph: &Graph, by: u16) {
+        for (offset, word) in graph.words.indices().enumerate() {
+            for bit in set_bits_of(self.memory.word(word)) {
+                if let Some(step) = self.step(graph, offset * 32 + bit) {
+                    self.give_orders(step.orders, by);
+                }
+            }
+        }
+    }
+
+    /// Of two valid orders that of the graph taken first wins, within one graph the later statement.
+    fn give_orders(&mut self, orders: Run, by: u16) {
+        for order in orders.of(self.program.orders) {
+            if !self.holds(order.condition) {
+                continue;
+            }
+            let Some(standing) = self.memory.standings.get_mut(usize::from(order.graph)) else {
+                continue;
+            };
+            let wins = standing
+                .order
+                .is_none_or(|best| best.by == by && best.rank <= order.rank);
+            if wins {
+                standing.order = Some(Given {
+                    by,
+                    rank: order.rank,
+                    situation: order.situation,
+                });
+            }
+        }
+    }
+
+    fn standing(&self, graph: u16) -> Standing {
+        self.memory
+            .standings
+            .get(usize::from(graph))
+            .copied()
+            .unwrap_or(Standing::FREE)
+    }
+
+    /// Brings the macro step bits of one graph up to date.
+    fn refresh_macros(&mut self, graph: u16) {
+        let program = self.program;
+        for row in program.macros.iter().filter(|row| row.graph == graph) {
+            let active = program
+                .graphs
+                .get(usize::from(graph))
+                .is_some_and(|graph| self.any_active(graph, row.steps));
+            self.memory.set_bit(row.bit, active);
+        }
+    }
+
+    /// Brings all macro step bits up to date.
+    pub(crate) fn refresh_all_macros(&mut self) {
+        if self.program.macros.is_empty() {
+            return;
+        }
+        for index in 0..self.program.graphs.len() {
+            self.refresh_macros(u16::try_from(index).unwrap_or(u16::MAX));
+        }
+    }
+
+    fn any_active(&self, graph: &Graph, steps: Run) -> bool {
+        let first = usize::from(graph.steps.start);
+        steps.indices().any(|step| {
+            let place = step.saturating_sub(first);
+            let word = self
+                .memory
+                .word(usize::from(graph.words.start) + place / 32);
+            word & (1 << (place % 32)) != 0
+        })
+    }
+}

@@ -1,0 +1,237 @@
+//! What changes while a program runs.
+
+use crate::program::{Bit, Forced, Layout, Number, Stamp};
+
+/// A [`Stamp`] that never was.
+pub(crate) const NEVER: u64 = u64::MAX;
+
+/// How a graph stands in the hierarchy of forcing and enclosing (`semantics.md`, phase 4).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Standing {
+    /// The best order on the graph found so far in this round.
+    pub(crate) order: Option<Given>,
+    /// A valid order held in the round before, so the graph is not free yet.
+    pub(crate) held: bool,
+    /// Its own evolution of the latest round was void.
+    pub(crate) void: bool,
+}
+
+/// A valid order, with what decides between two of them.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Given {
+    pub(crate) by: u16,
+    pub(crate) rank: u16,
+    pub(crate) situation: Forced,
+}
+
+impl Standing {
+    /// Free, as before scan 0.
+    pub const FREE: Standing = Standing {
+        order: None,
+        held: false,
+        void: false,
+    };
+}
+
+/// The memory of one program, sized at build time: on a microcontroller a static.
+///
+/// The image comes first and the numbers follow, so that a tool that looks into RAM finds them.
+#[repr(C)]
+#[derive(Debug)]
+pub struct Storage<
+    const WORDS: usize,
+    const NUMBERS: usize,
+    const SITUATION_WORDS: usize,
+    const STAMPS: usize,
+    const STACK: usize,
+    const FIRED: usize,
+    const GRAPHS: usize,
+> {
+    image: [u32; WORDS],
+    numbers: [i32; NUMBERS],
+    before: [u32; SITUATION_WORDS],
+    before_scan: [u32; SITUATION_WORDS],
+    fired: [u32; FIRED],
+    passed: [u32; FIRED],
+    stack: [i32; STACK],
+    stamps: [u64; STAMPS],
+    standings: [Standing; GRAPHS],
+}
+
+impl<
+    const WORDS: usize,
+    const NUMBERS: usize,
+    const SITUATION_WORDS: usize,
+    const STAMPS: usize,
+    const STACK: usize,
+    const FIRED: usize,
+    const GRAPHS: usize,
+> Storage<WORDS, NUMBERS, SITUATION_WORDS, STAMPS, STACK, FIRED, GRAPHS>
+{
+    /// Memory in which nothing has happened.
+    #[must_use]
+    pub const fn new() -> Self {
+        Storage {
+            image: [0; WORDS],
+            numbers: [0; NUMBERS],
+            before: [0; SITUATION_WORDS],
+            before_scan: [0; SITUATION_WORDS],
+            fired: [0; FIRED],
+            passed: [0; FIRED],
+            stack: [0; STACK],
+            stamps: [NEVER; STAMPS],
+            standings: [Standing::FREE; GRAPHS],
+        }
+    }
+
+    /// The memory, as an engine takes it.
+    pub const fn memory(&mut self) -> Memory<'_> {
+        Memory {
+            image: &mut self.image,
+            numbers: &mut self.numbers,
+            before: &mut self.before,
+            before_scan: &mut self.before_scan,
+            fired: &mut self.fired,
+            passed: &mut self.passed,
+            stack: &mut self.stack,
+            stamps: &mut self.stamps,
+            standings: &mut self.standings,
+        }
+    }
+}
+
+impl<
+    const WORDS: usize,
+    const NUMBERS: usize,
+    const SITUATION_WORDS: usize,
+    const STAMPS: usize,
+    const STACK: usize,
+    const FIRED: usize,
+    const GRAPHS: usize,
+> Default for Storage<WORDS, NUMBERS, SITUATION_WORDS, STAMPS, STACK, FIRED, GRAPHS>
+{
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+/// The memory of one program, borrowed: from a [`Storage`], or from vectors on a host.
+///
+/// The lengths that a program needs are in its [`Layout`]; with shorter slices nothing panics, and what has no room
+/// reads as False and 0.
+#[derive(Debug)]
+pub struct Memory<'m> {
+    /// The bits: inputs, situations, variables, outputs, results. [`Layout::words`] words.
+    pub image: &'m mut [u32],
+    /// The numbers. [`Layout::numbers`] of them.
+    pub numbers: &'m mut [i32],
+    /// The situations before this scan (round). [`Layout::situation_words`] words.
+    pub before: &'m mut [u32],
+    /// The situations before this scan. [`Layout::situation_words`] words.
+    pub before_scan: &'m mut [u32],
+    /// The transitions that fired in this round. [`Layout::fired`] words.
+    pub fired: &'m mut [u32],
+    /// The transitions that fired in this scan. [`Layout::fired`] words.
+    pub passed: &'m mut [u32],
+    /// Room for postfix code. [`Layout::stack`] values.
+    pub stack: &'m mut [i32],
+    /// Times of activation and of rise, in ms. [`Layout::stamps`] of them.
+    pub stamps: &'m mut [u64],
+    /// One for each graph.
+    pub standings: &'m mut [Standing],
+}
+
+impl Memory<'_> {
+    /// Forgets everything, as power-on does.
+    pub(crate) fn clear(&mut self) {
+        self.image.fill(0);
+        self.numbers.fill(0);
+        self.before.fill(0);
+        self.before_scan.fill(0);
+        self.fired.fill(0);
+        self.passed.fill(0);
+        self.stamps.fill(NEVER);
+        self.standings.fill(Standing::FREE);
+    }
+
+    pub(crate) fn word(&self, word: usize) -> u32 {
+        self.image.get(word).copied().unwrap_or(0)
+    }
+
+    pub(crate) fn bit(&self, bit: Bit) -> bool {
+        self.word(bit.word()) & bit.mask() != 0
+    }
+
+    pub(crate) fn set_bit(&mut self, bit: Bit, value: bool) {
+        if let Some(word) = self.image.get_mut(bit.word()) {
+            if value {
+                *word |= bit.mask();
+            } else {
+                *word &= !bit.mask();
+            }
+        }
+    }
+
+    pub(crate) fn number(&self, number: Number) -> i32 {
+        self.numbers
+            .get(usize::from(number.0))
+            .copied()
+            .unwrap_or(0)
+    }
+
+    pub(crate) fn set_number(&mut self, number: Number, value: i32) {
+        if let Some(slot) = self.numbers.get_mut(usize::from(number.0)) {
+            *slot = value;
+        }
+    }
+
+    pub(crate) fn stamp(&self, stamp: Stamp) -> u64 {
+        self.stamps
+            .get(usize::from(stamp.0))
+            .copied()
+            .unwrap_or(NEVER)
+    }
+
+    pub(crate) fn set_stamp(&mut self, stamp: Stamp, time_ms: u64) {
+        if let Some(slot) = self.stamps.get_mut(usize::from(stamp.0)) {
+            *slot = time_ms;
+        }
+    }
+
+    /// A step or macro step bit as it stood before this scan (round).
+    pub(crate) fn was_active(&self, layout: &Layout, step: Bit) -> bool {
+        remembered(layout, step.word())
+            .and_then(|word| self.before.get(word))
+            .is_some_and(|word| word & step.mask() != 0)
+    }
+
+    /// Remembers that a scan begins here; the situations have just been remembered.
+    pub(crate) fn mark_scan(&mut self) {
+        for (scan, before) in self.before_scan.iter_mut().zip(self.before.iter()) {
+            *scan = *before;
+        }
+        self.passed.fill(0);
+    }
+
+    /// Remembers the situations as those before the next round.
+    pub(crate) fn remember(&mut self, layout: &Layout) {
+        let (steps, macros) = (layout.situations.indices(), layout.macros.indices());
+        let now = self.image.get(steps).into_iter().flatten();
+        let now = now.chain(self.image.get(macros).into_iter().flatten());
+        for (before, now) in self.before.iter_mut().zip(now) {
+            *before = *now;
+        }
+    }
+}
+
+/// The word of [`Memory::before`] that remembers a word of the image.
+pub(crate) fn remembered(layout: &Layout, word: usize) -> Option<usize> {
+    let (steps, macros) = (layout.situations.indices(), layout.macros.indices());
+    if steps.contains(&word) {
+        Some(word - steps.start)
+    } else if macros.contains(&word) {
+        Some(steps.len() + word - macros.start)
+    } else {
+        None
+    }
+}

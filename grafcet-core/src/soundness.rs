@@ -1,0 +1,323 @@
+//! What every table of a program promises, checked once, at build time.
+//!
+//! The engine follows indices without looking twice. `build.rs` therefore writes
+//! `const _: () = grafcet_core::soundness::demand(&PROGRAM)` beside the tables it generates: a table that points
+//! outside another one, a bit outside the image or code that needs more stack than there is does not build.
+//! Everything here is a `const fn` and linear in the size of the program.
+
+mod code;
+mod rows;
+
+use crate::program::{Bit, Graph, Number, Program, Run, Slot, Stamp};
+
+/// The first table that breaks its promise.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Unsound {
+    /// Scan period, number of stamps or places in the image.
+    Layout,
+    /// A number's first value lies outside its limits, or there are not as many rows as numbers.
+    Numbers,
+    /// A conjunction looks outside the image, or for a bit that it masks out.
+    Terms,
+    /// The graphs do not share out steps, transitions and situation words among themselves, each its own.
+    Graphs,
+    /// The hierarchy does not name every graph once.
+    Hierarchy,
+    /// A step points outside a table.
+    Steps,
+    /// A macro step points outside its graph.
+    Macros,
+    /// A transition joins what is no step of its graph, or points outside a table.
+    Transitions,
+    /// A row names a transition that is not there.
+    ArmedBy,
+    /// A bit that is linked lies outside the image.
+    Links,
+    /// An enclosing step is none, or its set is no set of steps of the graph.
+    Enclosings,
+    /// An order is for a graph that is not there, or for a set that is no set of its steps.
+    Orders,
+    /// A stored statement writes what it must not.
+    Stored,
+    /// An event points outside the image or the stored statements.
+    Events,
+    /// A momentary statement writes what it must not.
+    Momentary,
+    /// An edge or a timer remembers outside the memory.
+    Watches,
+    /// A bit that is True at first, or a retained value, is none that can be written.
+    FirstValues,
+}
+
+impl Unsound {
+    /// What is said when the build stops.
+    #[must_use]
+    pub const fn message(self) -> &'static str {
+        match self {
+            Unsound::Layout => "the layout of the program is unsound",
+            Unsound::Numbers => "the table of numbers is unsound",
+            Unsound::Terms => "the table of conjunctions is unsound",
+            Unsound::Graphs => "the table of graphs is unsound",
+            Unsound::Hierarchy => "the hierarchy of the graphs is unsound",
+            Unsound::Steps => "the table of steps is unsound",
+            Unsound::Macros => "the table of macro steps is unsound",
+            Unsound::Transitions => "the table of transitions is unsound",
+            Unsound::ArmedBy => "the table of armed transitions is unsound",
+            Unsound::Links => "the table of links is unsound",
+            Unsound::Enclosings => "the table of enclosings is unsound",
+            Unsound::Orders => "the table of forcing orders is unsound",
+            Unsound::Stored => "the table of stored statements is unsound",
+            Unsound::Events => "the table of events is unsound",
+            Unsound::Momentary => "the tables of momentary statements are unsound",
+            Unsound::Watches => "the table of edges and timers is unsound",
+            Unsound::FirstValues => "the tables of first and retained values are unsound",
+        }
+    }
+}
+
+/// Stops the build (or, outside a constant, panics) when a table of the program is unsound.
+///
+/// # Panics
+/// With [`Unsound::message`]; firmware calls it in constants only.
+pub const fn demand(program: &Program<'_>) {
+    if let Some(unsound) = program.unsoundness() {
+        panic!("{}", unsound.message());
+    }
+}
+
+impl Program<'_> {
+    /// True when no index of any table leads outside another one, nothing writes where it must not, and all code
+    /// gets by with the stack of the layout.
+    #[must_use]
+    pub const fn is_sound(&self) -> bool {
+        self.unsoundness().is_none()
+    }
+
+    /// The first table that is not.
+    #[must_use]
+    pub const fn unsoundness(&self) -> Option<Unsound> {
+        // What the later tables rely on comes first.
+        if !self.layout_is_sound() {
+            Some(Unsound::Layout)
+        } else if !self.numbers_are_sound() {
+            Some(Unsound::Numbers)
+        } else if !self.terms_are_sound() {
+            Some(Unsound::Terms)
+        } else if !self.links_are_sound() {
+            Some(Unsound::Links)
+        } else if !self.graphs_are_sound() {
+            Some(Unsound::Graphs)
+        } else if !self.hierarchy_is_sound() {
+            Some(Unsound::Hierarchy)
+        } else if !self.armed_by_is_sound() {
+            Some(Unsound::ArmedBy)
+        } else if !self.steps_are_sound() {
+            Some(Unsound::Steps)
+        } else if !self.macros_are_sound() {
+            Some(Unsound::Macros)
+        } else if !self.transitions_are_sound() {
+            Some(Unsound::Transitions)
+        } else if !self.enclosings_are_sound() {
+            Some(Unsound::Enclosings)
+        } else if !self.orders_are_sound() {
+            Some(Unsound::Orders)
+        } else if !self.stored_are_sound() {
+            Some(Unsound::Stored)
+        } else if !self.events_are_sound() {
+            Some(Unsound::Events)
+        } else if !self.momentary_are_sound() {
+            Some(Unsound::Momentary)
+        } else if !self.watches_are_sound() {
+            Some(Unsound::Watches)
+        } else if !self.first_values_are_sound() {
+            Some(Unsound::FirstValues)
+        } else {
+            None
+        }
+    }
+
+    const fn layout_is_sound(&self) -> bool {
+        let layout = &self.layout;
+        // Word 0 belongs to `System:`; what is read in, what steps hold and what is cleared must not share words.
+        let owned = [
+            layout.inputs,
+            layout.situations,
+            layout.macros,
+            layout.momentary,
+            layout.outside,
+        ];
+        let mut i = 0;
+        while i < owned.len() {
+            let run = owned[i];
+            if !run.is_within(layout.words as usize) || (run.len > 0 && run.start == 0) {
+                return false;
+            }
+            let mut j = 0;
+            while j < i {
+                if run.meets(owned[j]) {
+                    return false;
+                }
+                j += 1;
+            }
+            i += 1;
+        }
+        self.period_ms >= 1
+            && layout.words >= 1
+            && layout.number_inputs.is_within(layout.numbers as usize)
+            && (layout.number_inputs.len == 0
+                || layout.number_inputs.start > Number::ARITHMETIC_FAULTS.0)
+            && layout.outside.len as usize * 32 >= layout.number_inputs.len as usize
+            && layout.fired as usize * 32 >= self.transitions.len()
+            && self.always_stored.is_within(self.stored.len())
+            && self.always_momentary.is_within(self.momentary.len())
+            && self.trigger_watches.is_within(self.watches.len())
+            && self.round_watches.is_within(self.watches.len())
+            && self.action_watches.is_within(self.watches.len())
+    }
+
+    const fn graphs_are_sound(&self) -> bool {
+        let situations = self.layout.situations;
+        let (mut steps, mut transitions, mut word) = (0, 0, situations.start as usize);
+        let mut i = 0;
+        while i < self.graphs.len() {
+            let graph = &self.graphs[i];
+            let shared_out = graph.steps.start as usize == steps
+                && graph.transitions.start as usize == transitions
+                && (graph.words.len == 0 || graph.words.start as usize >= word);
+            if !shared_out || !self.graph_is_sound(graph) {
+                return false;
+            }
+            steps = graph.steps.end();
+            transitions = graph.transitions.end();
+            if graph.words.len > 0 {
+                word = graph.words.end();
+            }
+            i += 1;
+        }
+        steps == self.steps.len()
+            && transitions == self.transitions.len()
+            && word <= situations.end()
+    }
+
+    const fn graph_is_sound(&self, graph: &Graph) -> bool {
+        graph.words.len as usize * 32 >= graph.steps.len as usize
+            && graph.steps.is_within(self.steps.len())
+            && graph.transitions.is_within(self.transitions.len())
+            && graph.sources.is_within(self.armed_by.len())
+            && graph.enclosings.is_within(self.enclosings.len())
+            && graph.orders.is_within(self.orders.len())
+            && graph.self_orders.is_within(self.orders.len())
+            && graph.watches.is_within(self.watches.len())
+            && graph.self_watches.is_within(self.watches.len())
+            && self.situation_is_sound(graph, graph.initial)
+    }
+
+    const fn hierarchy_is_sound(&self) -> bool {
+        if self.hierarchy.len() != self.graphs.len() {
+            return false;
+        }
+        let mut seen = [0u32; 1 << 11];
+        let mut i = 0;
+        while i < self.hierarchy.len() {
+            let graph = self.hierarchy[i] as usize;
+            let mask = 1 << (graph & 31);
+            if graph >= self.graphs.len() || seen[graph >> 5] & mask != 0 {
+                return false;
+            }
+            seen[graph >> 5] |= mask;
+            i += 1;
+        }
+        true
+    }
+
+    /// Whether the words from there are a set of steps of the graph.
+    const fn situation_is_sound(&self, graph: &Graph, start: u16) -> bool {
+        let set = Run {
+            start,
+            len: graph.words.len,
+        };
+        if !set.is_within(self.situations.len()) {
+            return false;
+        }
+        let mut i = 0;
+        while i < set.len as usize {
+            let steps = (graph.steps.len as usize).saturating_sub(i * 32);
+            let unused = if steps >= 32 { 0 } else { u32::MAX << steps };
+            if self.situations[set.start as usize + i] & unused != 0 {
+                return false;
+            }
+            i += 1;
+        }
+        true
+    }
+
+    const fn bit_is_sound(&self, bit: Bit) -> bool {
+        bit.word() < self.layout.words as usize
+    }
+
+    /// Whether a statement, an edge or a timer may write the bit: no input, step, momentary variable or `System:` bit.
+    const fn bit_is_stored(&self, bit: Bit) -> bool {
+        let layout = &self.layout;
+        self.bit_is_sound(bit)
+            && bit.0 > Bit::RECOVERED.0
+            && !layout.inputs.holds(bit.word())
+            && !layout.situations.holds(bit.word())
+            && !layout.macros.holds(bit.word())
+            && !layout.momentary.holds(bit.word())
+            && !layout.outside.holds(bit.word())
+    }
+
+    /// Whether a statement may write the number: no input and no `System:` number.
+    const fn number_is_stored(&self, number: Number) -> bool {
+        number.0 < self.layout.numbers
+            && number.0 > Number::ARITHMETIC_FAULTS.0
+            && !self.layout.number_inputs.holds(number.0 as usize)
+    }
+
+    const fn slot_is_stored(&self, slot: Slot) -> bool {
+        match slot {
+            Slot::Bit(bit) => self.bit_is_stored(bit),
+            Slot::Number(number) => self.number_is_stored(number),
+        }
+    }
+
+    /// Whether the bit is a step's.
+    const fn bit_is_step(&self, bit: Bit) -> bool {
+        self.layout.situations.holds(bit.word())
+    }
+
+    const fn stamp_is_sound(&self, stamp: Stamp) -> bool {
+        stamp.0 < self.layout.stamps
+    }
+
+    const fn optional_stamp_is_sound(&self, stamp: Option<Stamp>) -> bool {
+        match stamp {
+            Some(stamp) => self.stamp_is_sound(stamp),
+            None => true,
+        }
+    }
+}
+
+impl Run {
+    const fn end(self) -> usize {
+        self.start as usize + self.len as usize
+    }
+
+    const fn is_within(self, rows: usize) -> bool {
+        self.end() <= rows
+    }
+
+    const fn holds(self, index: usize) -> bool {
+        index >= self.start as usize && index < self.end()
+    }
+
+    const fn meets(self, other: Run) -> bool {
+        self.len > 0
+            && other.len > 0
+            && (self.start as usize) < other.end()
+            && (other.start as usize) < self.end()
+    }
+}
+
+#[cfg(test)]
+mod tests;

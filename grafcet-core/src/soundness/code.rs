@@ -1,0 +1,85 @@
+//! Conditions, and the stack that their code needs.
+
+use crate::program::{Code, Condition, Op, Program};
+
+impl Program<'_> {
+    pub(super) const fn terms_are_sound(&self) -> bool {
+        let mut i = 0;
+        while i < self.terms.len() {
+            let term = &self.terms[i];
+            if term.word >= self.layout.words || term.state & !term.mask != 0 {
+                return false;
+            }
+            i += 1;
+        }
+        true
+    }
+
+    pub(super) const fn condition_is_sound(&self, condition: Condition) -> bool {
+        match condition {
+            Condition::Always => true,
+            Condition::All(terms) => terms.is_within(self.terms.len()),
+            Condition::Code(code) => self.code_is_sound(code),
+        }
+    }
+
+    /// Follows the code with nothing but the depth of the stack: it never takes what is not there, never needs more
+    /// than the layout has and leaves one value.
+    pub(super) const fn code_is_sound(&self, code: Code) -> bool {
+        let start = code.start as usize;
+        let end = start + code.len as usize;
+        if end > self.ops.len() {
+            return false;
+        }
+        let mut depth = 0;
+        let mut i = start;
+        while i < end {
+            let op = &self.ops[i];
+            let (taken, left) = op.effect();
+            if depth < taken || !self.op_is_sound(op) {
+                return false;
+            }
+            depth = depth - taken + left;
+            if depth > self.layout.stack {
+                return false;
+            }
+            i += 1;
+        }
+        depth == 1
+    }
+
+    const fn op_is_sound(&self, op: &Op) -> bool {
+        match op {
+            Op::Bit(bit) => self.bit_is_sound(*bit),
+            Op::Number(number) => number.0 < self.layout.numbers,
+            Op::StepTimer {
+                step, activated, ..
+            } => self.bit_is_sound(*step) && self.stamp_is_sound(*activated),
+            _ => true,
+        }
+    }
+}
+
+impl Op {
+    /// How many values it takes from the stack, and how many it leaves there.
+    const fn effect(&self) -> (u16, u16) {
+        match self {
+            Op::Constant(_) | Op::Bit(_) | Op::Number(_) => (0, 1),
+            Op::Not | Op::Negate | Op::StepTimer { .. } => (1, 1),
+            Op::And
+            | Op::Or
+            | Op::Xor
+            | Op::Add
+            | Op::Subtract
+            | Op::Multiply
+            | Op::Divide
+            | Op::Modulo
+            | Op::Equal
+            | Op::NotEqual
+            | Op::Less
+            | Op::LessOrEqual
+            | Op::Greater
+            | Op::GreaterOrEqual => (2, 1),
+        }
+    }
+}

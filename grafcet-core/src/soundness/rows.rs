@@ -1,0 +1,322 @@
+//! Table by table, row by row.
+
+use crate::program::{Assignment, Bit, Forced, Graph, Momentary, Order, Program, Run, Watch};
+
+impl Program<'_> {
+    pub(super) const fn numbers_are_sound(&self) -> bool {
+        let mut i = 0;
+        while i < self.numbers.len() {
+            let row = &self.numbers[i];
+            if row.min > row.initial || row.initial > row.max {
+                return false;
+            }
+            i += 1;
+        }
+        self.numbers.len() == self.layout.numbers as usize
+    }
+
+    pub(super) const fn links_are_sound(&self) -> bool {
+        let mut i = 0;
+        while i < self.links.len() {
+            if !self.bit_is_sound(self.links[i]) {
+                return false;
+            }
+            i += 1;
+        }
+        true
+    }
+
+    pub(super) const fn armed_by_is_sound(&self) -> bool {
+        let mut i = 0;
+        while i < self.armed_by.len() {
+            if self.armed_by[i] as usize >= self.transitions.len() {
+                return false;
+            }
+            i += 1;
+        }
+        true
+    }
+
+    pub(super) const fn steps_are_sound(&self) -> bool {
+        let mut i = 0;
+        while i < self.steps.len() {
+            let step = &self.steps[i];
+            let sound = step.transitions.is_within(self.armed_by.len())
+                && step.momentary.is_within(self.momentary.len())
+                && step.stored.is_within(self.stored.len())
+                && step.on_activation.is_within(self.stored.len())
+                && step.on_deactivation.is_within(self.stored.len())
+                && step.on_event.is_within(self.events.len())
+                && step.orders.is_within(self.orders.len())
+                && self.optional_stamp_is_sound(step.activated);
+            if !sound {
+                return false;
+            }
+            i += 1;
+        }
+        true
+    }
+
+    pub(super) const fn macros_are_sound(&self) -> bool {
+        let mut i = 0;
+        while i < self.macros.len() {
+            let row = &self.macros[i];
+            if row.graph as usize >= self.graphs.len() {
+                return false;
+            }
+            let steps = self.graphs[row.graph as usize].steps;
+            let sound = self.layout.macros.holds(row.bit.word())
+                && row.steps.start >= steps.start
+                && row.steps.end() <= steps.end()
+                && self.optional_stamp_is_sound(row.activated);
+            if !sound {
+                return false;
+            }
+            i += 1;
+        }
+        true
+    }
+
+    pub(super) const fn transitions_are_sound(&self) -> bool {
+        let mut g = 0;
+        while g < self.graphs.len() {
+            let graph = &self.graphs[g];
+            let mut i = graph.transitions.start as usize;
+            while i < graph.transitions.end() {
+                let transition = &self.transitions[i];
+                let sound = self.links_are_steps_of(graph, transition.entrance)
+                    && self.links_are_steps_of(graph, transition.exit)
+                    && self.condition_is_sound(transition.trigger)
+                    && transition.actions.is_within(self.stored.len());
+                if !sound {
+                    return false;
+                }
+                i += 1;
+            }
+            g += 1;
+        }
+        true
+    }
+
+    const fn links_are_steps_of(&self, graph: &Graph, links: Run) -> bool {
+        if !links.is_within(self.links.len()) {
+            return false;
+        }
+        let first = graph.words.start as usize * 32;
+        let mut i = links.start as usize;
+        while i < links.end() {
+            let bit = self.links[i].0 as usize;
+            if bit < first || bit - first >= graph.steps.len as usize {
+                return false;
+            }
+            i += 1;
+        }
+        true
+    }
+
+    pub(super) const fn enclosings_are_sound(&self) -> bool {
+        let mut g = 0;
+        while g < self.graphs.len() {
+            let graph = &self.graphs[g];
+            let mut i = graph.enclosings.start as usize;
+            while i < graph.enclosings.end() {
+                let enclosing = &self.enclosings[i];
+                let sound = self.bit_is_step(enclosing.step)
+                    && self.situation_is_sound(graph, enclosing.situation)
+                    && self.situation_is_sound(graph, enclosing.at_start);
+                if !sound {
+                    return false;
+                }
+                i += 1;
+            }
+            g += 1;
+        }
+        true
+    }
+
+    pub(super) const fn orders_are_sound(&self) -> bool {
+        let mut i = 0;
+        while i < self.orders.len() {
+            if !self.order_is_sound(&self.orders[i]) {
+                return false;
+            }
+            i += 1;
+        }
+        let mut g = 0;
+        while g < self.graphs.len() {
+            let own = self.graphs[g].self_orders;
+            let mut i = own.start as usize;
+            while i < own.end() {
+                if self.orders[i].graph as usize != g {
+                    return false;
+                }
+                i += 1;
+            }
+            g += 1;
+        }
+        true
+    }
+
+    const fn order_is_sound(&self, order: &Order) -> bool {
+        if order.graph as usize >= self.graphs.len() || !self.condition_is_sound(order.condition) {
+            return false;
+        }
+        match order.situation {
+            Forced::Set(set) => self.situation_is_sound(&self.graphs[order.graph as usize], set),
+            Forced::Current => true,
+        }
+    }
+
+    pub(super) const fn stored_are_sound(&self) -> bool {
+        let mut i = 0;
+        while i < self.stored.len() {
+            let row = &self.stored[i];
+            let assigned = match row.assignment {
+                Assignment::Bit(bit, value) => {
+                    self.bit_is_stored(bit) && self.condition_is_sound(value)
+                }
+                Assignment::Number(number, value) => {
+                    self.number_is_stored(number) && self.code_is_sound(value)
+                }
+            };
+            if !assigned || !self.condition_is_sound(row.condition) {
+                return false;
+            }
+            i += 1;
+        }
+        true
+    }
+
+    pub(super) const fn events_are_sound(&self) -> bool {
+        let mut i = 0;
+        while i < self.events.len() {
+            let row = &self.events[i];
+            if !self.bit_is_sound(row.event) || !row.stored.is_within(self.stored.len()) {
+                return false;
+            }
+            i += 1;
+        }
+        true
+    }
+
+    pub(super) const fn momentary_are_sound(&self) -> bool {
+        let mut i = 0;
+        while i < self.momentary.len() {
+            if !self.statement_is_sound(&self.momentary[i]) {
+                return false;
+            }
+            i += 1;
+        }
+        let mut i = 0;
+        while i < self.dependent.len() {
+            let row = &self.dependent[i];
+            let owned = match row.owner {
+                Some(step) => self.bit_is_step(step),
+                None => true,
+            };
+            if !owned || !self.statement_is_sound(&row.statement) {
+                return false;
+            }
+            i += 1;
+        }
+        true
+    }
+
+    const fn statement_is_sound(&self, statement: &Momentary) -> bool {
+        if !statement.targets.is_within(self.links.len())
+            || !self.condition_is_sound(statement.condition)
+        {
+            return false;
+        }
+        let mut i = statement.targets.start as usize;
+        while i < statement.targets.end() {
+            if !self.layout.momentary.holds(self.links[i].word()) {
+                return false;
+            }
+            i += 1;
+        }
+        true
+    }
+
+    pub(super) const fn watches_are_sound(&self) -> bool {
+        let mut i = 0;
+        while i < self.watches.len() {
+            if !self.watch_is_sound(&self.watches[i]) {
+                return false;
+            }
+            i += 1;
+        }
+        true
+    }
+
+    const fn watch_is_sound(&self, watch: &Watch) -> bool {
+        match *watch {
+            Watch::Edge {
+                operand,
+                last,
+                result,
+                ..
+            } => self.condition_is_sound(operand) && self.memory_is_sound(last, result),
+            Watch::Timer {
+                enable: condition,
+                preset: time,
+                last,
+                risen: stamp,
+                result,
+                ..
+            }
+            | Watch::OnDelay {
+                enable: condition,
+                delay: time,
+                last,
+                risen: stamp,
+                result,
+            }
+            | Watch::OffDelay {
+                on: condition,
+                hold: time,
+                last,
+                fallen: stamp,
+                result,
+            } => {
+                self.condition_is_sound(condition)
+                    && self.code_is_sound(time)
+                    && self.stamp_is_sound(stamp)
+                    && self.memory_is_sound(last, result)
+            }
+            Watch::Value {
+                condition,
+                gate,
+                result,
+            } => {
+                let gated = match gate {
+                    Some(step) => self.bit_is_sound(step),
+                    None => true,
+                };
+                gated && self.condition_is_sound(condition) && self.bit_is_stored(result)
+            }
+        }
+    }
+
+    const fn memory_is_sound(&self, last: Bit, result: Bit) -> bool {
+        self.bit_is_stored(last) && self.bit_is_stored(result) && last.0 != result.0
+    }
+
+    pub(super) const fn first_values_are_sound(&self) -> bool {
+        let mut i = 0;
+        while i < self.initially_true.len() {
+            if !self.bit_is_stored(self.initially_true[i]) {
+                return false;
+            }
+            i += 1;
+        }
+        let mut i = 0;
+        while i < self.retained.len() {
+            if !self.slot_is_stored(self.retained[i].slot) {
+                return false;
+            }
+            i += 1;
+        }
+        true
+    }
+}

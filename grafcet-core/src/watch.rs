@@ -1,0 +1,121 @@
+//! Edges and timers that remember: evaluated in every scan where they stand (`semantics.md`, "Edges", "Timers").
+
+use crate::engine::Engine;
+use crate::memory::NEVER;
+use crate::program::{Bit, Code, Edge, Run, Stamp, Unit, Watch};
+
+/// Which evaluation of the watches it is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Pass {
+    /// Scan 0: memories are primed, and edges are False but for those of a step that was just activated.
+    Start,
+    /// The first (or only) round of a scan.
+    First,
+    /// A later round of a scan that evolves `stable`: edges are False and keep the memory of the first.
+    Later,
+}
+
+impl Engine<'_, '_> {
+    /// Evaluates watches in their order, so that an inner one is up to date for the one around it.
+    pub(crate) fn watch(&mut self, watches: Run, pass: Pass) {
+        for watch in watches.of(self.program.watches) {
+            let (value, result) = self.evaluate(watch, pass);
+            self.memory.set_bit(result, value);
+        }
+    }
+
+    fn evaluate(&mut self, watch: &Watch, pass: Pass) -> (bool, Bit) {
+        match *watch {
+            Watch::Edge {
+                operand,
+                edge,
+                last,
+                result,
+                from_false,
+            } => {
+                let now = self.holds(operand);
+                if pass == Pass::Later {
+                    return (false, result);
+                }
+                let was = self.exchange(last, now);
+                let seen = match edge {
+                    Edge::Rising => now && !was,
+                    Edge::Falling => was && !now,
+                };
+                (seen && (pass == Pass::First || from_false), result)
+            }
+            Watch::Timer {
+                enable,
+                preset,
+                unit,
+                last,
+                risen,
+                result,
+            } => {
+                let enable = self.holds(enable);
+                let preset = self.value_of(preset);
+                let risen = self.follow(enable, last, risen);
+                (self.elapsed(risen, preset, unit), result)
+            }
+            Watch::OnDelay {
+                enable,
+                delay,
+                last,
+                risen,
+                result,
+            } => {
+                let enable = self.holds(enable);
+                let delay = self.value_of(delay);
+                let risen = self.follow(enable, last, risen);
+                let passed = self.elapsed(risen, delay, Unit::Milliseconds);
+                (enable && passed, result)
+            }
+            Watch::OffDelay {
+                on,
+                hold,
+                last,
+                fallen,
+                result,
+            } => {
+                let on = self.holds(on);
+                let held = self.hold(on, hold, last, fallen);
+                (on || held, result)
+            }
+            Watch::Value {
+                condition,
+                gate,
+                result,
+            } => {
+                let open = gate.is_none_or(|gate| self.memory.bit(gate));
+                (open && self.holds(condition), result)
+            }
+        }
+    }
+
+    /// Notes the time when the enable rises, and gives the time of its latest rise.
+    fn follow(&mut self, enable: bool, last: Bit, risen: Stamp) -> u64 {
+        if enable && !self.exchange(last, enable) {
+            self.memory.set_stamp(risen, self.now_ms);
+        } else if !enable {
+            self.memory.set_bit(last, false);
+        }
+        self.memory.stamp(risen)
+    }
+
+    /// Notes the time when `on` falls, and tells whether less than `hold` has passed since.
+    fn hold(&mut self, on: bool, hold: Code, last: Bit, fallen: Stamp) -> bool {
+        let hold = self.value_of(hold);
+        if self.exchange(last, on) && !on {
+            self.memory.set_stamp(fallen, self.now_ms);
+        }
+        let fallen = self.memory.stamp(fallen);
+        fallen != NEVER && !self.elapsed(fallen, hold, Unit::Milliseconds)
+    }
+
+    /// Stores a memory bit and gives what it was.
+    fn exchange(&mut self, last: Bit, now: bool) -> bool {
+        let was = self.memory.bit(last);
+        self.memory.set_bit(last, now);
+        was
+    }
+}
