@@ -27,6 +27,7 @@ mod expression;
 mod hierarchy;
 pub mod memory;
 pub mod program;
+pub mod soundness;
 mod watch;
 
 pub use engine::Engine;

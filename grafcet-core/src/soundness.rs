@@ -8,6 +8,7 @@
 mod code;
 mod rows;
 
+use crate::memory::Storage;
 use crate::program::{Bit, Graph, Number, Program, Run, Slot, Stamp};
 
 /// The first table that breaks its promise.
@@ -82,6 +83,30 @@ impl Unsound {
 pub const fn demand(program: &Program<'_>) {
     if let Some(unsound) = program.unsoundness() {
         panic!("{}", unsound.message());
+    }
+}
+
+impl<
+    const WORDS: usize,
+    const NUMBERS: usize,
+    const SITUATION_WORDS: usize,
+    const STAMPS: usize,
+    const STACK: usize,
+    const FIRED: usize,
+    const GRAPHS: usize,
+> Storage<WORDS, NUMBERS, SITUATION_WORDS, STAMPS, STACK, FIRED, GRAPHS>
+{
+    /// True when the memory has exactly the places that the program's layout asks for.
+    #[must_use]
+    pub const fn is_sized_for(program: &Program<'_>) -> bool {
+        let layout = &program.layout;
+        WORDS == layout.words as usize
+            && NUMBERS == layout.numbers as usize
+            && SITUATION_WORDS == layout.situation_words()
+            && STAMPS == layout.stamps as usize
+            && STACK == layout.stack as usize
+            && FIRED == layout.fired as usize
+            && GRAPHS == program.graphs.len()
     }
 }
 
@@ -274,9 +299,10 @@ impl Program<'_> {
             && !self.layout.number_inputs.holds(number.0 as usize)
     }
 
-    const fn slot_is_stored(&self, slot: Slot) -> bool {
+    /// Whether a statement of either kind may write the slot.
+    const fn slot_is_written(&self, slot: Slot) -> bool {
         match slot {
-            Slot::Bit(bit) => self.bit_is_stored(bit),
+            Slot::Bit(bit) => self.bit_is_stored(bit) || self.layout.momentary.holds(bit.word()),
             Slot::Number(number) => self.number_is_stored(number),
         }
     }

@@ -121,10 +121,13 @@ impl Program<'_> {
             let mut i = graph.enclosings.start as usize;
             while i < graph.enclosings.end() {
                 let enclosing = &self.enclosings[i];
+                let at_start = match enclosing.at_start {
+                    Some(set) => self.situation_is_sound(graph, set),
+                    None => true,
+                };
                 let sound = self.bit_is_step(enclosing.step)
-                    && self.situation_is_sound(graph, enclosing.situation)
-                    && self.situation_is_sound(graph, enclosing.at_start);
-                if !sound {
+                    && self.situation_is_sound(graph, enclosing.situation);
+                if !at_start || !sound {
                     return false;
                 }
                 i += 1;
@@ -312,7 +315,7 @@ impl Program<'_> {
         }
         let mut i = 0;
         while i < self.retained.len() {
-            if !self.slot_is_stored(self.retained[i].slot) {
+            if !self.slot_is_written(self.retained[i].slot) {
                 return false;
             }
             i += 1;
