@@ -8,4 +8,5 @@
 pub mod application;
 pub mod ast;
 pub mod diagnostic;
+pub mod emit;
 pub mod source;
