@@ -11,6 +11,14 @@ pub enum Level {
     Warning,
 }
 
+/// A set of rules with names: those of the language, [`Rule`], and those of other files that are shown the same way.
+pub trait NamedRule: Copy {
+    /// The rule's name as users see it, in `error[name]`.
+    fn name(self) -> &'static str;
+    /// Whether breaking the rule refuses the program.
+    fn level(self) -> Level;
+}
+
 macro_rules! rules {
     ($($(#[$doc:meta])* $variant:ident $name:literal $level:ident;)*) => {
         /// The static rules of `language.md`, by their names there.
@@ -31,6 +39,16 @@ macro_rules! rules {
             #[must_use]
             pub fn level(self) -> Level {
                 match self { $(Rule::$variant => Level::$level,)* }
+            }
+        }
+
+        impl NamedRule for Rule {
+            fn name(self) -> &'static str {
+                self.name()
+            }
+
+            fn level(self) -> Level {
+                self.level()
             }
         }
     };
@@ -142,9 +160,9 @@ pub struct Label {
 
 /// One thing the compiler has to say.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Diagnostic {
+pub struct Diagnostic<R = Rule> {
     /// The rule that is broken.
-    pub rule: Rule,
+    pub rule: R,
     /// What is wrong, in the words of GRAFCET: a lower-case phrase.
     pub message: String,
     /// The place, underlined.
@@ -155,9 +173,9 @@ pub struct Diagnostic {
     pub help: Option<String>,
 }
 
-impl Diagnostic {
+impl<R: NamedRule> Diagnostic<R> {
     /// A diagnostic at one place, without a mend yet.
-    pub fn new(rule: Rule, span: Span, message: impl Into<String>) -> Self {
+    pub fn new(rule: R, span: Span, message: impl Into<String>) -> Self {
         Diagnostic {
             rule,
             message: message.into(),
