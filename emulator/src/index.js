@@ -1,0 +1,3 @@
+/** The emulated Raspberry Pi Pico: see `Pico`. */
+export { UsageError } from './fault.js';
+export { Pico } from './pico.js';
