@@ -1,0 +1,25 @@
+//! Running GRAFCET programs on a host: the same engine and the same tables as on a microcontroller, over vectors.
+//!
+//! - [`memory`]: the engine's memory, for any program;
+//! - [`machine`]: one program on its engine, across power cycles;
+//! - [`simulation`]: a controller and its plants in lock step;
+//! - [`images`]: what the images hold, as people read it;
+//! - [`stimulus`] and [`trace`]: CSV in, CSV out;
+//! - [`testing`]: the tests of the language;
+//! - [`symbols`]: where everything lies, for tools that look into a memory;
+//! - [`source`]: files in.
+
+#![forbid(unsafe_code)]
+
+pub mod images;
+pub mod machine;
+pub mod memory;
+pub mod player;
+pub mod report;
+pub mod simulation;
+//pub mod source;
+pub mod stimulus;
+pub mod symbols;
+pub mod table;
+pub mod testing;
+pub mod trace;

@@ -1,0 +1,105 @@
+//! One program on its engine, from power-on to power-off and on again.
+
+use grafcet_compiler::application::Tables;
+use grafcet_core::engine::Engine;
+use grafcet_core::program::{Program, Slot};
+use typed_arena::Arena;
+
+use crate::images::Images;
+use crate::memory::Vectors;
+
+/// Where the programs and memories of machines live.
+#[derive(Default)]
+pub struct Bench<'t> {
+    programs: Arena<Program<'t>>,
+    memories: Arena<Vectors>,
+}
+
+impl<'t> Bench<'t> {
+    /// An empty bench.
+    #[must_use]
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// Sets up a program on the bench.
+    pub fn machine<'b>(&'b self, tables: &'t Tables) -> Machine<'b> {
+        let program: &'b Program<'b> = self.programs.alloc(tables.program());
+        Machine {
+            memories: &self.memories,
+            program,
+            engine: power_on(program, &self.memories),
+            started: false,
+        }
+    }
+}
+
+fn power_on<'b>(program: &'b Program<'b>, memories: &'b Arena<Vectors>) -> Engine<'b, 'b> {
+    let vectors = memories.alloc(Vectors::new(program));
+    Engine::new(program, vectors.memory())
+}
+
+/// A program and its engine.
+pub struct Machine<'b> {
+    memories: &'b Arena<Vectors>,
+    program: &'b Program<'b>,
+    engine: Engine<'b, 'b>,
+    started: bool,
+}
+
+impl<'b> Machine<'b> {
+    /// The engine.
+    #[must_use]
+    pub fn engine(&self) -> &Engine<'b, 'b> {
+        &self.engine
+    }
+
+    /// Whether scan 0 has run since power came.
+    #[must_use]
+    pub fn started(&self) -> bool {
+        self.started
+    }
+
+    /// The images as the latest scan left them.
+    #[must_use]
+    pub fn images(&self) -> Images<'_> {
+        Images {
+            image: self.engine.image(),
+            numbers: self.engine.numbers(),
+        }
+    }
+
+    /// Gives an input its sample for the next scan.
+    pub fn sample(&mut self, slot: Slot, value: i32) {
+        match slot {
+            Slot::Bit(bit) => self.engine.set_input(bit, value != 0),
+            Slot::Number(number) => self.engine.sample_number(number, value),
+        }
+    }
+
+    /// Gives a parameter or variable a new value between two scans, clamped to its range and counted when it lies
+    /// outside.
+    pub fn set(&mut self, slot: Slot, value: i32) {
+        self.engine.set_parameter(slot, value);
+    }
+
+    /// Runs scan 0, or a later one at that time in ms since scan 0.
+    pub fn scan(&mut self, time_ms: u64) {
+        if self.started {
+            self.engine.scan(time_ms);
+        } else {
+            self.engine.start();
+            self.started = true;
+        }
+    }
+
+    /// Loses power and gets it back: all is forgotten but what is retained. The next scan is scan 0.
+    pub fn power_cycle(&mut self) {
+        let before = std::mem::replace(&mut self.engine, power_on(self.program, self.memories));
+        self.started = false;
+        for retained in self.program.retained {
+            self.engine
+                .restore(retained.slot, before.value(retained.slot));
+        }
+    }
+}
