@@ -9,4 +9,8 @@ pub mod application;
 pub mod ast;
 pub mod diagnostic;
 pub mod emit;
+mod lexer;
+mod literals;
+pub mod parser;
+mod report;
 pub mod source;

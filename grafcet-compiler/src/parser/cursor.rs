@@ -1,0 +1,421 @@
+//! The parser's place among the tokens: looking, taking, complaining and finding back.
+
+use crate::diagnostic::{Diagnostic, Rule};
+use crate::lexer::token::{Keyword, Token, TokenKind};
+use crate::literals;
+use crate::report::Report;
+use crate::source::{FileId, Span};
+
+use super::MAX_NESTING;
+
+/// A construct could not be read; the reason has been reported.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Failed;
+
+/// What reading a construct gives.
+pub(super) type Parsed<T> = Result<T, Failed>;
+
+/// What the surroundings of an expression say about it; parentheses begin afresh.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Context {
+    /// How many parentheses and sets are open: inside them a line break means nothing.
+    pub(super) brackets: u32,
+    /// The next `/` ends the expression: the enable of a timer.
+    pub(super) slash_ends: bool,
+    /// A `:` ends the expression: an event.
+    pub(super) colon_ends: bool,
+}
+
+/// Reads one file.
+pub(super) struct Parser<'a> {
+    file: FileId,
+    text: &'a str,
+    tokens: Vec<Token>,
+    index: usize,
+    /// The token that begins the statement: a line break before it is past.
+    statement: usize,
+    /// The `}` that closed the latest block or body; behind it no `;` is needed.
+    block_end: Option<usize>,
+    /// The token at which the latest error was reported.
+    failed_at: Option<usize>,
+    nesting: u32,
+    pub(super) context: Context,
+    report: Report<'a>,
+}
+
+impl<'a> Parser<'a> {
+    /// A parser at the first of the tokens, the last of which is the end of the file.
+    pub(super) fn new(file: FileId, text: &'a str, tokens: Vec<Token>, report: Report<'a>) -> Self {
+        Parser {
+            file,
+            text,
+            tokens,
+            index: 0,
+            statement: 0,
+            block_end: None,
+            failed_at: None,
+            nesting: 0,
+            context: Context::default(),
+            report,
+        }
+    }
+
+    /// The token at an index; behind the last one the end of the file goes on.
+    fn token(&self, index: usize) -> Token {
+        let end = Token {
+            kind: TokenKind::EndOfFile,
+            start: 0,
+            end: 0,
+            newline: true,
+            breaks: true,
+        };
+        self.tokens
+            .get(index)
+            .or(self.tokens.last())
+            .copied()
+            .unwrap_or(end)
+    }
+
+    /// The next token, whatever stands before it.
+    pub(super) fn next_token(&self) -> Token {
+        self.token(self.index)
+    }
+
+    /// The kind of the next token, or the end of the line if that ends the statement.
+    pub(super) fn peek(&self) -> TokenKind {
+        let token = self.next_token();
+        let ends = token.breaks && self.context.brackets == 0 && self.statement != self.index;
+        if ends && token.kind != TokenKind::EndOfFile {
+            TokenKind::LineEnd
+        } else {
+            token.kind
+        }
+    }
+
+    /// The kind of the token behind the next one.
+    pub(super) fn peek_second(&self) -> TokenKind {
+        let token = self.token(self.index + 1);
+        if token.breaks && self.context.brackets == 0 {
+            TokenKind::LineEnd
+        } else {
+            token.kind
+        }
+    }
+
+    /// Whether the next token is of a kind.
+    pub(super) fn at(&self, kind: TokenKind) -> bool {
+        self.peek() == kind
+    }
+
+    /// Whether the next token is a word that means something only in its place.
+    pub(super) fn at_word(&self, word: &str) -> bool {
+        self.at(TokenKind::Name) && self.text_of(self.next_token()) == word
+    }
+
+    /// No token of the statement is left.
+    pub(super) fn at_end(&self) -> bool {
+        matches!(
+            self.peek(),
+            TokenKind::LineEnd
+                | TokenKind::Semicolon
+                | TokenKind::RightBrace
+                | TokenKind::EndOfFile
+        )
+    }
+
+    /// Takes the next token.
+    pub(super) fn bump(&mut self) -> Token {
+        let token = self.next_token();
+        if token.kind != TokenKind::EndOfFile {
+            self.index += 1;
+        }
+        token
+    }
+
+    /// Takes the next token if it is of a kind.
+    pub(super) fn eat(&mut self, kind: TokenKind) -> bool {
+        let there = self.at(kind);
+        if there {
+            self.bump();
+        }
+        there
+    }
+
+    /// Takes the next token if it is a word that means something only here.
+    pub(super) fn eat_word(&mut self, word: &str) -> bool {
+        let there = self.at_word(word);
+        if there {
+            self.bump();
+        }
+        there
+    }
+
+    /// Takes a token of a kind, or says that it is missing.
+    pub(super) fn expect(&mut self, kind: TokenKind, what: &str) -> Parsed<Token> {
+        if self.at(kind) {
+            Ok(self.bump())
+        } else {
+            Err(self.expected(what))
+        }
+    }
+
+    /// Takes a word that means something only here, or says that it is missing.
+    pub(super) fn expect_word(&mut self, word: &str) -> Parsed<()> {
+        if self.eat_word(word) {
+            Ok(())
+        } else {
+            Err(self.expected(&format!("`{word}`")))
+        }
+    }
+
+    /// The text of a token.
+    pub(super) fn text_of(&self, token: Token) -> &'a str {
+        self.text
+            .get(token.start as usize..token.end as usize)
+            .unwrap_or("")
+    }
+
+    /// The text of the token behind the next one.
+    pub(super) fn text_of_second(&self) -> &'a str {
+        self.text_of(self.token(self.index + 1))
+    }
+
+    /// The place of a token.
+    pub(super) fn span_of(&self, token: Token) -> Span {
+        token.span(self.file)
+    }
+
+    /// From the token at `start` to the latest token taken.
+    pub(super) fn span_since(&self, start: Token) -> Span {
+        let last = self.token(self.index.saturating_sub(1));
+        Span {
+            file: self.file,
+            start: start.start,
+            end: last.end.max(start.start),
+        }
+    }
+
+    /// Where the next token stands; at the end of a line or file, just behind the latest one.
+    pub(super) fn span_here(&self) -> Span {
+        match self.peek() {
+            TokenKind::LineEnd | TokenKind::EndOfFile => {
+                let end = if self.index == 0 {
+                    0
+                } else {
+                    self.token(self.index - 1).end
+                };
+                Span {
+                    file: self.file,
+                    start: end,
+                    end,
+                }
+            }
+            _ => self.span_of(self.next_token()),
+        }
+    }
+
+    /// The next token in words.
+    pub(super) fn found(&self) -> String {
+        match self.peek() {
+            TokenKind::LineEnd => "the end of the line".to_owned(),
+            TokenKind::EndOfFile => "the end of the file".to_owned(),
+            TokenKind::Text => "a text".to_owned(),
+            _ => format!("`{}`", literals::shortened(self.text_of(self.next_token()))),
+        }
+    }
+
+    /// Takes a diagnostic as it is.
+    pub(super) fn push(&mut self, diagnostic: Diagnostic) {
+        self.report.push(diagnostic);
+        if self.report.is_full() {
+            self.index = self.tokens.len().saturating_sub(1);
+        }
+    }
+
+    /// Reports a violation of the grammar at a place.
+    pub(super) fn error(
+        &mut self,
+        span: Span,
+        message: impl Into<String>,
+        help: impl Into<String>,
+    ) {
+        self.push(Diagnostic::new(Rule::Syntax, span, message).help(help));
+    }
+
+    /// Reports an error at the next token, unless one has been reported there.
+    pub(super) fn fail(&mut self, diagnostic: Diagnostic) -> Failed {
+        if self.next_token().kind != TokenKind::Unknown && self.failed_at != Some(self.index) {
+            self.failed_at = Some(self.index);
+            self.push(diagnostic);
+        }
+        Failed
+    }
+
+    /// Says what should stand in the place of the next token.
+    pub(super) fn expected(&mut self, what: &str) -> Failed {
+        let message = format!("expected {what}, found {}", self.found());
+        let diagnostic = Diagnostic::new(Rule::Syntax, self.span_here(), message);
+        self.fail(diagnostic)
+    }
+
+    /// Says what should stand in the place of the next token, and the mend.
+    pub(super) fn expected_help(&mut self, what: &str, help: impl Into<String>) -> Failed {
+        let message = format!("expected {what}, found {}", self.found());
+        let diagnostic = Diagnostic::new(Rule::Syntax, self.span_here(), message).help(help);
+        self.fail(diagnostic)
+    }
+
+    /// Reads something one level deeper, or refuses at [`MAX_NESTING`].
+    pub(super) fn nested<T>(&mut self, read: impl FnOnce(&mut Self) -> Parsed<T>) -> Parsed<T> {
+        if self.nesting >= MAX_NESTING {
+            let message = format!("more than {MAX_NESTING} levels are nested in each other");
+            let diagnostic = Diagnostic::new(Rule::Syntax, self.span_here(), message).help(
+                "store a part in a variable, or write a chain of `AND` or `OR` without parentheses",
+            );
+            return Err(self.fail(diagnostic));
+        }
+        self.nesting += 1;
+        let result = read(self);
+        self.nesting -= 1;
+        result
+    }
+
+    /// Reads something under a context of its own.
+    pub(super) fn within<T>(
+        &mut self,
+        context: Context,
+        read: impl FnOnce(&mut Self) -> Parsed<T>,
+    ) -> Parsed<T> {
+        let outer = std::mem::replace(&mut self.context, context);
+        let result = read(self);
+        // After an error the brackets that are open tell where the statement may end.
+        if result.is_ok() {
+            self.context = outer;
+        }
+        result
+    }
+
+    /// Reads something inside brackets, where a line break means nothing.
+    pub(super) fn bracketed<T>(&mut self, read: impl FnOnce(&mut Self) -> Parsed<T>) -> Parsed<T> {
+        let context = Context {
+            brackets: self.context.brackets + 1,
+            ..Context::default()
+        };
+        self.within(context, read)
+    }
+
+    /// Goes to the start of the next statement.
+    pub(super) fn next_statement(&mut self) {
+        self.context = Context::default();
+        loop {
+            self.statement = self.index;
+            if !self.at(TokenKind::Semicolon) {
+                break;
+            }
+            self.bump();
+        }
+    }
+
+    /// Takes the `}` that closes a block.
+    pub(super) fn close_block(&mut self) {
+        self.block_end = Some(self.index);
+        self.bump();
+    }
+
+    /// Makes sure that a statement ends here, and goes to its end if it does not. Behind a block nothing need stand.
+    pub(super) fn end_statement(&mut self, advice: &str) {
+        let behind_block = self.block_end.is_some_and(|end| end + 1 == self.index);
+        if self.at_end() || behind_block {
+            return;
+        }
+        let help = self.help_for_rest(advice);
+        let message = format!(
+            "expected the end of the line or `;`, found {}",
+            self.found()
+        );
+        let mut diagnostic = Diagnostic::new(Rule::Syntax, self.span_here(), message);
+        diagnostic.help = help;
+        self.fail(diagnostic);
+        self.recover();
+    }
+
+    /// What a user may have meant by what goes on where a statement could end.
+    fn help_for_rest(&self, advice: &str) -> Option<String> {
+        let word = self.text_of(self.next_token());
+        let help = match self.peek() {
+            TokenKind::Keyword(Keyword::When) => {
+                "`when` begins the trigger of a transition; a condition begins with `IF`"
+            }
+            TokenKind::If => {
+                "`IF` begins a condition; the trigger of a transition begins with `when`"
+            }
+            TokenKind::Keyword(Keyword::Do) => {
+                "`do` begins what a transition stores; it stands behind the trigger"
+            }
+            TokenKind::RightParenthesis => "no parenthesis is open here",
+            TokenKind::Assign => "`:=` stores a value; a comparison is written `=`",
+            TokenKind::Name if word.eq_ignore_ascii_case("else") => {
+                "there is no `ELSE`: write a second statement under the contrary condition"
+            }
+            TokenKind::Name if word.eq_ignore_ascii_case("then") => {
+                "the action stands in front of its condition: `A IF c`, `a = 1 IF c`"
+            }
+            _ if advice.is_empty() => return None,
+            _ => advice,
+        };
+        Some(help.to_owned())
+    }
+
+    /// Goes to the end of the statement in which something failed: to its `;`, its line end or the `}` around it.
+    /// Braces and parentheses that are open are skipped as a whole, but never past the start of a graph or a test.
+    pub(super) fn recover(&mut self) {
+        let first = self.index;
+        let mut brackets = if self.next_token().newline {
+            0
+        } else {
+            self.context.brackets
+        };
+        self.context = Context::default();
+        let mut braces = 0_usize;
+        loop {
+            let token = self.next_token();
+            let begins_line = token.newline && self.index != self.statement;
+            match token.kind {
+                TokenKind::EndOfFile => return,
+                TokenKind::Keyword(word) if begins_line && self.begins_element(word) => {
+                    if braces == 0 || word.begins_item_only() {
+                        return;
+                    }
+                }
+                TokenKind::Semicolon | TokenKind::RightBrace if braces == 0 => return,
+                TokenKind::LeftParenthesis if braces == 0 => brackets += 1,
+                TokenKind::RightParenthesis if braces == 0 => brackets = brackets.saturating_sub(1),
+                _ if braces == 0 && brackets == 0 && self.peek() == TokenKind::LineEnd => return,
+                _ => {}
+            }
+            match token.kind {
+                TokenKind::LeftBrace => braces += 1,
+                TokenKind::RightBrace => braces -= 1,
+                _ => {}
+            }
+            self.bump();
+            if braces == 0 && token.kind == TokenKind::RightBrace && self.index > first {
+                self.block_end = Some(self.index - 1);
+            }
+        }
+    }
+
+    /// Whether the keyword that comes next begins an element rather than being used as a name.
+    pub(super) fn begins_element(&self, word: Keyword) -> bool {
+        word.begins_element()
+            && !matches!(
+                self.token(self.index + 1).kind,
+                TokenKind::Equal
+                    | TokenKind::Assign
+                    | TokenKind::If
+                    | TokenKind::Comma
+                    | TokenKind::Semicolon
+            )
+            && !(self.token(self.index + 1).newline && self.token(self.index + 1).breaks)
+    }
+}

@@ -1,0 +1,282 @@
+//! Names, step identifiers, sets, texts and literals.
+
+use crate::ast::{Constant, ConstantKind, Name, Ref, Set, Situation, Text};
+use crate::diagnostic::{Diagnostic, Rule};
+use crate::lexer;
+use crate::lexer::token::{Token, TokenKind};
+use crate::literals::{self, BadLiteral};
+use crate::source::Span;
+
+use super::cursor::{Parsed, Parser};
+
+/// `X` and digits: the bit of a numbered step, never a name of one's own.
+pub(super) fn is_step_bit(name: &str) -> bool {
+    name.strip_prefix('X').is_some_and(|digits| {
+        !digits.is_empty() && digits.bytes().all(|digit| digit.is_ascii_digit())
+    })
+}
+
+impl Parser<'_> {
+    /// A token as a name in NFC.
+    pub(super) fn name_of(&self, token: Token) -> Name {
+        Name {
+            text: lexer::normalized(self.text_of(token)).into_owned(),
+            span: self.span_of(token),
+        }
+    }
+
+    /// A name that is used: of a graph, a variable, a step bit. A reserved word in its place is reported as such.
+    pub(super) fn name(&mut self, what: &str) -> Parsed<Name> {
+        match self.peek() {
+            TokenKind::Name => {
+                let token = self.bump();
+                Ok(self.name_of(token))
+            }
+            TokenKind::Keyword(_)
+            | TokenKind::And
+            | TokenKind::Or
+            | TokenKind::Xor
+            | TokenKind::Not
+            | TokenKind::Mod
+            | TokenKind::If
+            | TokenKind::True
+            | TokenKind::False
+            | TokenKind::Rising
+            | TokenKind::Falling
+                if self.is_word(self.next_token()) =>
+            {
+                let name = self.name_of(self.next_token());
+                self.reserved(&name);
+                self.bump();
+                Ok(name)
+            }
+            _ => Err(self.expected(what)),
+        }
+    }
+
+    /// A name that is declared here. `System` and the step bits of numbered steps are refused.
+    pub(super) fn declared_name(&mut self, what: &str) -> Parsed<Name> {
+        let is_name = self.at(TokenKind::Name);
+        let name = self.name(what)?;
+        if is_name && name.text == "System" {
+            self.push(
+                Diagnostic::new(Rule::ReservedWord, name.span, "`System` is reserved")
+                    .help("its names are the system's own: `System:first_scan`"),
+            );
+        } else if is_name && is_step_bit(&name.text) {
+            self.push(
+                Diagnostic::new(
+                    Rule::ReservedWord,
+                    name.span,
+                    format!("`{}` is reserved", name.text),
+                )
+                .help("`X` with digits is the step bit of the step with that number"),
+            );
+        }
+        Ok(name)
+    }
+
+    /// The token is spelled with letters (`AND`, not `&`).
+    fn is_word(&self, token: Token) -> bool {
+        self.text_of(token).starts_with(lexer::begins_name)
+    }
+
+    /// Reports a reserved word that is used as a name.
+    fn reserved(&mut self, name: &Name) {
+        let diagnostic = Diagnostic::new(
+            Rule::ReservedWord,
+            name.span,
+            format!("`{}` is a reserved word and cannot be a name", name.text),
+        )
+        .help(format!("choose another name, such as `{}_1`", name.text));
+        self.fail(diagnostic);
+    }
+
+    /// `name` or `Graph:name`.
+    pub(super) fn reference(&mut self, what: &str) -> Parsed<Ref> {
+        let first = self.name(what)?;
+        let qualified = self.at(TokenKind::Colon) && !self.context.colon_ends;
+        if !qualified {
+            return Ok(Ref {
+                graph: None,
+                span: first.span,
+                name: first,
+            });
+        }
+        self.bump();
+        let name = self.name("a name behind `:`")?;
+        Ok(Ref {
+            span: first.span.to(name.span),
+            graph: Some(first),
+            name,
+        })
+    }
+
+    /// Names or references with commas between them.
+    pub(super) fn list<T>(
+        &mut self,
+        mut read: impl FnMut(&mut Self) -> Parsed<T>,
+    ) -> Parsed<Vec<T>> {
+        let mut all = vec![read(self)?];
+        while self.eat(TokenKind::Comma) {
+            all.push(read(self)?);
+        }
+        Ok(all)
+    }
+
+    /// A step identifier. One that cannot be read but is evident is reported and taken as it was meant.
+    pub(super) fn step_identifier(&mut self, what: &str) -> Parsed<Name> {
+        const HELP: &str =
+            "steps are named by digits, or by one capital letter and digits: `5`, `E5`";
+        if !matches!(
+            self.peek(),
+            TokenKind::Name | TokenKind::Number | TokenKind::Duration
+        ) {
+            return Err(self.expected_help(what, HELP));
+        }
+        let mut name = self.name_of(self.next_token());
+        if let Err((bad, meant)) = literals::step_identifier(&name.text) {
+            self.bad_literal(name.span, bad);
+            name.text = meant.unwrap_or(name.text);
+        }
+        self.bump();
+        Ok(name)
+    }
+
+    /// Reports a literal that cannot be read, which is the next token.
+    fn bad_literal(&mut self, span: Span, bad: BadLiteral) {
+        let diagnostic = Diagnostic::new(Rule::BadLiteral, span, bad.message).help(bad.help);
+        self.fail(diagnostic);
+    }
+
+    /// `{ 1, 3 }`, the inside of it.
+    fn set_inside(&mut self) -> Parsed<Vec<Name>> {
+        if self.at(TokenKind::RightBrace) {
+            return Ok(Vec::new());
+        }
+        self.list(|parser| parser.step_identifier("a step identifier in the set"))
+    }
+
+    /// `{1, 3}`.
+    pub(super) fn set(&mut self) -> Parsed<Set> {
+        let open = self.expect(TokenKind::LeftBrace, "a set of steps such as `{1, 3}`")?;
+        let steps = self.bracketed(|parser| {
+            let steps = parser.set_inside()?;
+            parser.expect(TokenKind::RightBrace, "`,` or `}` in the set")?;
+            Ok(steps)
+        })?;
+        Ok(Set {
+            steps,
+            span: self.span_since(open),
+        })
+    }
+
+    /// `{1, 3}`, `{I}` or `{*}`.
+    pub(super) fn situation(&mut self) -> Parsed<Situation> {
+        let open = self.next_token();
+        let second = self.peek_second();
+        let is_initial = second == TokenKind::Name && self.text_of_second() == "I";
+        if !self.at(TokenKind::LeftBrace) || !(is_initial || second == TokenKind::Star) {
+            if second == TokenKind::Name
+                && self.text_of_second() == "INIT"
+                && self.at(TokenKind::LeftBrace)
+            {
+                self.bump();
+                return Err(
+                    self.expected_help("a set of steps", "the initial situation is written `{I}`")
+                );
+            }
+            return Ok(Situation::Steps(self.set()?));
+        }
+        self.bump();
+        self.bracketed(|parser| {
+            parser.bump();
+            parser.expect(TokenKind::RightBrace, "`}`")
+        })?;
+        let span = self.span_since(open);
+        Ok(if is_initial {
+            Situation::Initial(span)
+        } else {
+            Situation::Current(span)
+        })
+    }
+
+    /// `"text"`.
+    pub(super) fn quoted(&mut self, what: &str) -> Parsed<Text> {
+        let token = self.expect(TokenKind::Text, what)?;
+        let text = self.text_of(token);
+        let inside = text.strip_prefix('"').unwrap_or(text);
+        Ok(Text {
+            text: inside.strip_suffix('"').unwrap_or(inside).to_owned(),
+            span: self.span_of(token),
+        })
+    }
+
+    /// A level-1 text, if one stands here.
+    pub(super) fn text_if_any(&mut self) -> Option<Text> {
+        if self.at(TokenKind::Text) {
+            self.quoted("a text").ok()
+        } else {
+            None
+        }
+    }
+
+    /// The value of the number that comes next. What cannot be read is reported and counts as 0.
+    pub(super) fn integer(&mut self) -> i64 {
+        let token = self.next_token();
+        let value = literals::integer(self.text_of(token)).unwrap_or_else(|bad| {
+            self.bad_literal(self.span_of(token), bad);
+            0
+        });
+        self.bump();
+        value
+    }
+
+    /// The length of the duration that comes next, in ms. What cannot be read is reported and counts as 0.
+    pub(super) fn milliseconds(&mut self) -> i64 {
+        let token = self.next_token();
+        let value = literals::duration(self.text_of(token)).unwrap_or_else(|bad| {
+            self.bad_literal(self.span_of(token), bad);
+            0
+        });
+        self.bump();
+        value
+    }
+
+    /// A duration as written.
+    pub(super) fn duration(&mut self, what: &str) -> Parsed<Constant> {
+        const HELP: &str = "durations are written `30ms`, `2s`, `0.5 s`, `1min30s` or `T#1m30s`";
+        if !self.at(TokenKind::Duration) {
+            return Err(self.expected_help(what, HELP));
+        }
+        let span = self.span_of(self.next_token());
+        let kind = ConstantKind::Duration(self.milliseconds());
+        Ok(Constant { kind, span })
+    }
+
+    /// A constant: a number, a duration, `TRUE`, `FALSE` or the name of a `const`.
+    pub(super) fn constant(&mut self, what: &str) -> Parsed<Constant> {
+        let start = self.next_token();
+        let negative = self.eat(TokenKind::Minus);
+        let signed = |value: i64| {
+            if negative {
+                value.saturating_neg()
+            } else {
+                value
+            }
+        };
+        let kind = match self.peek() {
+            TokenKind::Number => ConstantKind::Integer(signed(self.integer())),
+            TokenKind::Duration => ConstantKind::Duration(signed(self.milliseconds())),
+            TokenKind::Name => ConstantKind::Name(self.name(what)?, negative),
+            TokenKind::True | TokenKind::False if !negative => {
+                ConstantKind::Bool(self.bump().kind == TokenKind::True)
+            }
+            _ => return Err(self.expected(what)),
+        };
+        Ok(Constant {
+            kind,
+            span: self.span_since(start),
+        })
+    }
+}
