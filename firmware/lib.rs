@@ -1,3 +1,41 @@
-//! The application image: the tasks around the scan.
+//! The application image: a GRAFCET program as a PLC.
+//!
+//! `build.rs` turns the program named in `plc.toml` into const tables. Here are the tasks around its scan, generic over
+//! pins, flash and time, so that a Raspberry Pi Pico and a host run the same ones:
+//!
+//! - [`boot`]: from reset to scan 0: the cause of the reset, the retained values, the boot line;
+//! - [`scan`]: sample, scan, write, at every release of the [`schedule`];
+//! - [`input`] and [`filter`], [`output`]: pins to images and back, with filters, active levels and safe states;
+//! - [`retain`] and [`record`]: retained values in flash, and [`store`]: the task that puts them there;
+//! - [`log`]: what it says about itself;
+//! - [`wiring`]: what hangs on which pin;
+//! - [`boards`]: the Pico and the host.
+//!
+//! The scan runs above everything else and waits for nothing: what it hands to the store is taken when the store has
+//! time. What must not go wrong is decided in the parts that know no board, and tested on a host.
 
-#![no_std]
+#![cfg_attr(target_os = "none", no_std)]
+#![cfg_attr(
+    not(test),
+    deny(
+        clippy::unwrap_used,
+        clippy::expect_used,
+        clippy::indexing_slicing,
+        clippy::panic,
+        clippy::unreachable,
+        clippy::todo
+    )
+)]
+
+pub mod boards;
+pub mod boot;
+pub mod filter;
+pub mod input;
+pub mod log;
+pub mod output;
+pub mod record;
+pub mod retain;
+pub mod scan;
+pub mod schedule;
+pub mod store;
+pub mod wiring;

@@ -1,0 +1,4 @@
+//! Boards: what is special to each.
+
+#[cfg(not(target_os = "none"))]
+pub mod host;

@@ -1,0 +1,122 @@
+//! From reset to scan 0: why the controller starts, and what it still knows.
+
+use embedded_storage_async::nor_flash::NorFlash;
+use grafcet_core::engine::Engine;
+use grafcet_core::program::{Names, Program};
+
+use crate::log::{fault, note};
+use crate::record::Record;
+use crate::retain::{Error, Store};
+
+/// Why the controller starts.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Cause {
+    /// Power came.
+    PowerOn,
+    /// The supply sagged so far that the chip reset itself, but not so far that its memory was lost.
+    BrownOut,
+    /// The reset pin.
+    RunPin,
+    /// A debugger.
+    Debugger,
+    /// Scans failed to come.
+    Watchdog,
+    /// The program's image ended in a panic or a fault of the processor.
+    Panic,
+}
+
+impl Cause {
+    /// What `System:recovered` says.
+    #[must_use]
+    pub const fn is_recovery(self) -> bool {
+        matches!(self, Cause::BrownOut | Cause::Watchdog | Cause::Panic)
+    }
+
+    /// The cause in words, for the boot line.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Cause::PowerOn => "power-on",
+            Cause::BrownOut => "brown-out",
+            Cause::RunPin => "run pin",
+            Cause::Debugger => "debugger",
+            Cause::Watchdog => "watchdog",
+            Cause::Panic => "panic",
+        }
+    }
+}
+
+/// Gives a program that has not been started what the store kept, and logs the boot line.
+///
+/// Nothing in the store keeps a program from starting: what does not fit is dropped with a line of its own, and
+/// without a readable record all values are the declared ones.
+pub async fn boot<F: NorFlash>(
+    engine: &mut Engine<'_, '_>,
+    names: &Names<'_>,
+    store: &mut Store<F>,
+    cause: Cause,
+) {
+    engine.set_recovered(cause.is_recovery());
+    let program = engine.program();
+    let restored = match store.load().await {
+        Ok(Some(record)) => restore(engine, names, &record),
+        Ok(None) => 0,
+        Err(error) => {
+            log_error(&error);
+            0
+        }
+    };
+    note!(
+        "{} {:08x}, scan {} ms, reset: {}, restored: {} of {} retained values",
+        names.application,
+        program.fingerprint,
+        program.period_ms,
+        cause.name(),
+        restored,
+        program.retained.len(),
+    );
+}
+
+/// Restores what fits. The answer is how many values that was.
+fn restore(engine: &mut Engine<'_, '_>, names: &Names<'_>, record: &Record<'_>) -> u32 {
+    let program: &Program<'_> = engine.program();
+    if record.fingerprint != program.fingerprint {
+        note!(
+            "retain store: last written by another program, {:08x}",
+            record.fingerprint
+        );
+    }
+    let mut restored = 0;
+    for (key, value) in record.values.iter() {
+        let row = program
+            .retained
+            .iter()
+            .zip(names.retained)
+            .find(|(row, _)| row.key == key);
+        match row {
+            Some((row, _)) if engine.restore(row.slot, value) => restored += 1,
+            Some((_, name)) => fault!(
+                "retain store: {} = {} does not fit and is dropped",
+                *name,
+                value
+            ),
+            None => fault!(
+                "retain store: value {} of unknown {:08x} is dropped",
+                value,
+                key
+            ),
+        }
+    }
+    restored
+}
+
+/// Logs what is wrong with the store. The error of the flash itself says nothing more.
+pub(crate) fn log_error<E>(error: &Error<E>) {
+    let reason = match error {
+        Error::Flash(_) => "the flash reports a fault",
+        Error::Area => "its area is not four whole sectors",
+        Error::TooLong => "the record is too long",
+        Error::Unreadable => "what was written cannot be read",
+    };
+    fault!("retain store: {}", reason);
+}

@@ -1,0 +1,96 @@
+//! Input pins: filtered, and put into the input image.
+
+use embassy_time::{Duration, Instant, Timer};
+use embedded_hal::digital::InputPin;
+use grafcet_core::engine::Engine;
+
+use crate::filter::{Filter, SAMPLE_US};
+use crate::wiring::InputWire;
+
+const SAMPLE: Duration = Duration::from_micros(SAMPLE_US as u64);
+
+/// The inputs of the program on their pins.
+pub struct Inputs<P, const N: usize> {
+    pins: [P; N],
+    wires: &'static [InputWire; N],
+    filters: [Filter; N],
+    /// When the filtered pins are sampled next; none when there are none.
+    next_sample: Option<Instant>,
+}
+
+impl<P: InputPin, const N: usize> Inputs<P, N> {
+    /// The pins of the wires, in their order.
+    pub fn new(mut pins: [P; N], wires: &'static [InputWire; N]) -> Self {
+        let now = Instant::now();
+        let mut rows = pins.iter_mut().zip(wires);
+        // `rows` has as many items as the array: no filter is made without its pin.
+        let filters = core::array::from_fn(|_| match rows.next() {
+            Some((pin, wire)) => Filter::new(wire.filter_ms, is_true(pin, wire), micros(now)),
+            None => Filter::new(0, false, micros(now)),
+        });
+        let filtered = wires.iter().any(|wire| wire.filter_ms > 0);
+        Inputs {
+            pins,
+            wires,
+            filters,
+            next_sample: filtered.then_some(now + SAMPLE),
+        }
+    }
+
+    /// Samples the filtered pins every millisecond until `release`, and then too.
+    pub async fn watch_until(&mut self, release: Instant) {
+        while let Some(next) = self.next_sample
+            && next < release
+        {
+            Timer::at(next).await;
+            self.sample_filtered();
+        }
+        Timer::at(release).await;
+        self.sample_filtered();
+    }
+
+    /// Writes the input image of a scan: the filtered pins as their filters see them, the others as they are.
+    pub fn read(&mut self, engine: &mut Engine<'_, '_>) {
+        for ((pin, wire), filter) in self.pins.iter_mut().zip(self.wires).zip(&mut self.filters) {
+            let value = match wire.filter_ms {
+                0 => is_true(pin, wire),
+                _ => filter.read(),
+            };
+            engine.set_input(wire.bit, value);
+        }
+    }
+
+    fn sample_filtered(&mut self) {
+        let Some(next) = self.next_sample else {
+            return;
+        };
+        let now = Instant::now();
+        for ((pin, wire), filter) in self.pins.iter_mut().zip(self.wires).zip(&mut self.filters) {
+            if wire.filter_ms > 0 {
+                filter.sample(is_true(pin, wire), micros(now));
+            }
+        }
+        // What was missed is not made up for.
+        let following = if next + SAMPLE > now {
+            next + SAMPLE
+        } else {
+            now + SAMPLE
+        };
+        self.next_sample = Some(if next > now { next } else { following });
+    }
+}
+
+/// The value at the pin. A pin that cannot be read shows False; those of a microcontroller always can.
+fn is_true(pin: &mut impl InputPin, wire: &InputWire) -> bool {
+    let level = if wire.active_low {
+        pin.is_low()
+    } else {
+        pin.is_high()
+    };
+    level.unwrap_or(false)
+}
+
+/// The clock, wrapping around after 71 minutes.
+fn micros(now: Instant) -> u32 {
+    now.as_micros() as u32
+}

@@ -1,0 +1,121 @@
+//! The scan task: sample, scan, write, at every release.
+
+use core::future::Future;
+
+use embassy_sync::blocking_mutex::raw::CriticalSectionRawMutex;
+use embassy_sync::signal::Signal;
+use embassy_time::{Duration, Instant};
+use embedded_hal::digital::{InputPin, OutputPin};
+use grafcet_core::engine::Engine;
+
+use crate::input::Inputs;
+use crate::log::{Observer, fault};
+use crate::output::Outputs;
+use crate::schedule::{Schedule, Served};
+
+/// The newest values of everything retained, on their way to the store. A newer snapshot takes the place of one that
+/// has not been fetched, so that the scan never waits for the flash.
+pub type Changes<const R: usize> = Signal<CriticalSectionRawMutex, [i32; R]>;
+
+/// What a board does around each scan.
+pub trait Board {
+    /// Before the inputs are sampled. On a host, plants move here; when their power is lost, the future never ends.
+    fn begin(&mut self, engine: &Engine<'_, '_>) -> impl Future<Output = ()>;
+
+    /// After the outputs have been written. Nothing else feeds a watchdog.
+    fn complete(&mut self, engine: &Engine<'_, '_>);
+}
+
+/// A controller with all that its scan needs.
+pub struct Controller<'a, I, O, B, const N: usize, const M: usize, const R: usize> {
+    /// The program, restored and not started.
+    pub engine: Engine<'a, 'a>,
+    /// The input pins.
+    pub inputs: Inputs<I, N>,
+    /// The output pins, at their safe levels.
+    pub outputs: Outputs<O, M>,
+    /// The board.
+    pub board: B,
+    /// Where changed retained values go.
+    pub changes: &'a Changes<R>,
+    /// The log.
+    pub observer: Observer,
+}
+
+impl<I, O, B, const N: usize, const M: usize, const R: usize> Controller<'_, I, O, B, N, M, R>
+where
+    I: InputPin,
+    O: OutputPin,
+    B: Board,
+{
+    /// Runs the program for as long as there is power.
+    pub async fn run(mut self) -> ! {
+        let mut retained = snapshot(&self.engine);
+        let mut schedule = Schedule::new(Instant::now(), self.engine.program().period_ms);
+        self.board.begin(&self.engine).await;
+        self.inputs.read(&mut self.engine);
+        self.engine.start();
+        self.finish(&mut retained);
+        log_missed(schedule.complete(Instant::now()), &schedule);
+        loop {
+            self.inputs.watch_until(schedule.release()).await;
+            let served = schedule.serve(Instant::now());
+            log_served(&served, &schedule);
+            self.engine.set_overruns(schedule.faults().overruns);
+            self.board.begin(&self.engine).await;
+            self.inputs.read(&mut self.engine);
+            self.engine.scan(served.time_ms);
+            self.finish(&mut retained);
+            log_missed(schedule.complete(Instant::now()), &schedule);
+        }
+    }
+
+    /// All that follows the program's part of a scan.
+    fn finish(&mut self, retained: &mut [i32; R]) {
+        self.outputs.write(&self.engine);
+        self.board.complete(&self.engine);
+        let values = snapshot(&self.engine);
+        if values != *retained {
+            *retained = values;
+            self.changes.signal(values);
+        }
+        self.observer.observe(&self.engine);
+    }
+}
+
+/// The retained values, in the order of the program's rows.
+#[must_use]
+pub fn snapshot<const R: usize>(engine: &Engine<'_, '_>) -> [i32; R] {
+    let mut values = engine
+        .program()
+        .retained
+        .iter()
+        .map(|row| engine.value(row.slot));
+    core::array::from_fn(|_| values.next().unwrap_or(0))
+}
+
+fn log_served(served: &Served, schedule: &Schedule) {
+    if let Some(late_by) = served.late_by {
+        fault!(
+            "late scan: {} us behind its release ({} since start)",
+            micros(late_by),
+            schedule.faults().late
+        );
+    }
+    log_missed(served.missed, schedule);
+}
+
+fn log_missed(missed: u64, schedule: &Schedule) {
+    if missed > 0 {
+        let count = schedule.faults().overruns;
+        fault!(
+            "overrun: releases missed: {} ({} overruns since start)",
+            missed,
+            count
+        );
+    }
+}
+
+fn micros(duration: Duration) -> u64 {
+    duration.as_micros()
+}

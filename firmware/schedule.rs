@@ -1,0 +1,112 @@
+//! When scans run: at fixed releases, counted when they are late or missed.
+//!
+//! Release k is at k periods after scan 0, whatever earlier scans cost. A release that nobody could serve is skipped,
+//! never made up for: an overrun is followed by the next release to come, with the time stamp of that release
+//! (`semantics.md`, phase 1).
+
+use embassy_time::{Duration, Instant};
+
+/// How far behind its release a scan may start without being counted as late.
+///
+/// On the RP2040 the longest harmless cause is a page of flash being programmed, 0.4 ms of it at a time.
+pub const LATE_AFTER: Duration = Duration::from_millis(1);
+
+/// The releases of the scan.
+#[derive(Clone, Debug)]
+pub struct Schedule {
+    period_ms: u32,
+    period: Duration,
+    release: Instant,
+    time_ms: u64,
+    faults: Faults,
+}
+
+/// What went wrong with the times of the scans since scan 0. Counts stay at their end when they reach it.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Faults {
+    /// Scans that started more than [`LATE_AFTER`] behind the release that they served.
+    pub late: u32,
+    /// Times that releases went unserved, because a scan ended behind the next release or could not start before it:
+    /// `System:overruns`.
+    pub overruns: u32,
+}
+
+/// A scan that starts now.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Served {
+    /// Its time stamp: the time of its release in ms since scan 0.
+    pub time_ms: u64,
+    /// How far behind the release it starts, when that is late.
+    pub late_by: Option<Duration>,
+    /// Releases that passed unserved before this one, since the previous scan ended.
+    pub missed: u64,
+}
+
+impl Schedule {
+    /// The releases behind a scan 0 that is released at `start`; a period of 0 counts as 1 ms.
+    #[must_use]
+    pub fn new(start: Instant, period_ms: u32) -> Self {
+        let period_ms = period_ms.max(1);
+        let period = Duration::from_millis(u64::from(period_ms));
+        Schedule {
+            period_ms,
+            period,
+            release: start + period,
+            time_ms: u64::from(period_ms),
+            faults: Faults::default(),
+        }
+    }
+
+    /// When the next scan is due.
+    #[must_use]
+    pub fn release(&self) -> Instant {
+        self.release
+    }
+
+    /// What has been counted.
+    #[must_use]
+    pub fn faults(&self) -> Faults {
+        self.faults
+    }
+
+    /// A scan starts at `now`, not before [`Schedule::release`]: it serves the latest release that is due.
+    pub fn serve(&mut self, now: Instant) -> Served {
+        let missed =
+            now.saturating_duration_since(self.release).as_ticks() / self.period.as_ticks();
+        self.skip(missed);
+        let behind = now.saturating_duration_since(self.release);
+        let late_by = (behind > LATE_AFTER).then_some(behind);
+        if late_by.is_some() {
+            self.faults.late = self.faults.late.saturating_add(1);
+        }
+        let time_ms = self.time_ms;
+        self.advance(1);
+        Served {
+            time_ms,
+            late_by,
+            missed,
+        }
+    }
+
+    /// The scan has ended at `now`. The answer is how many releases passed meanwhile; they are skipped.
+    pub fn complete(&mut self, now: Instant) -> u64 {
+        if now <= self.release {
+            return 0;
+        }
+        let missed = (now - self.release).as_ticks() / self.period.as_ticks() + 1;
+        self.skip(missed);
+        missed
+    }
+
+    fn skip(&mut self, releases: u64) {
+        if releases > 0 {
+            self.faults.overruns = self.faults.overruns.saturating_add(1);
+            self.advance(releases);
+        }
+    }
+
+    fn advance(&mut self, releases: u64) {
+        self.release += Duration::from_ticks(self.period.as_ticks().saturating_mul(releases));
+        self.time_ms += u64::from(self.period_ms).saturating_mul(releases);
+    }
+}

@@ -1,0 +1,31 @@
+//! What hangs on which pin, as the build read it from `plc.toml`.
+//!
+//! The generated `application` module fills these rows; their order is the order of the board's pins.
+
+use grafcet_core::program::Bit;
+
+/// An input of the program and the pin that it reads.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct InputWire {
+    /// Where the scan finds it.
+    pub bit: Bit,
+    /// Its address, `%IX0.0`.
+    pub address: &'static str,
+    /// The pin is low when the input is True.
+    pub active_low: bool,
+    /// How long a level must last to be seen, in ms; 0 samples the pin in the scan and nowhere else.
+    pub filter_ms: u16,
+}
+
+/// An output of the program and the pin that it drives.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct OutputWire {
+    /// Where the scan leaves it.
+    pub bit: Bit,
+    /// Its address, `%QX0.0`.
+    pub address: &'static str,
+    /// The pin is low when the output is True.
+    pub active_low: bool,
+    /// The value that is safe: what the pin shows until scan 0 has ended.
+    pub safe: bool,
+}

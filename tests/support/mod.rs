@@ -1,0 +1,3 @@
+//! What several tests of the image share.
+
+pub mod nor;
