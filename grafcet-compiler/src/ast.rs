@@ -547,6 +547,9 @@ pub enum Unary {
 
 /// Operators with two operands. `/` between a time and a Boolean is a [`ExpressionKind::Delay`]; where only types
 /// can tell (`a/b` of two names), the parser leaves a [`Binary::Divide`] and the checks decide.
+///
+/// Operators of one strength are joined from the left, `1s/a/2s` as `(1s/a)/2s`. A chain of `AND`, of `OR` or of `XOR`
+/// is a balanced tree in source order, so that its depth grows with the logarithm of its length.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Binary {
     /// `AND`.

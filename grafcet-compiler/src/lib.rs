@@ -12,5 +12,7 @@ pub mod emit;
 mod lexer;
 mod literals;
 pub mod parser;
+pub mod position;
+pub mod render;
 mod report;
 pub mod source;

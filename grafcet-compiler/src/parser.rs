@@ -10,6 +10,7 @@ mod graphs;
 mod items;
 mod names;
 mod properties;
+mod recovery;
 mod statements;
 mod timers;
 

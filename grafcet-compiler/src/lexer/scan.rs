@@ -72,11 +72,13 @@ impl<'a, 'r, 'd> Scanner<'a, 'r, 'd> {
             last.end = place.end;
             return;
         }
+        let begins_element = matches!(kind, TokenKind::Keyword(word) if word.begins_element());
         let goes_on = kind.continues_before()
-            || self
-                .tokens
-                .last()
-                .is_some_and(|last| last.kind.continues_behind());
+            || !begins_element
+                && self
+                    .tokens
+                    .last()
+                    .is_some_and(|last| last.kind.continues_behind());
         self.tokens.push(Token {
             kind,
             start: place.start,

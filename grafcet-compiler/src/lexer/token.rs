@@ -14,6 +14,7 @@ pub(crate) struct Token {
     /// A line break stands before it.
     pub(crate) newline: bool,
     /// The line break before it ends a statement, unless parentheses or a set are open.
+    /// Before a word that begins an element it always does: no statement goes on with one.
     pub(crate) breaks: bool,
 }
 

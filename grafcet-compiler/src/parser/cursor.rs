@@ -1,7 +1,7 @@
-//! The parser's place among the tokens: looking, taking, complaining and finding back.
+//! The parser's place among the tokens: looking, taking and complaining.
 
 use crate::diagnostic::{Diagnostic, Rule};
-use crate::lexer::token::{Keyword, Token, TokenKind};
+use crate::lexer::token::{Token, TokenKind};
 use crate::literals;
 use crate::report::Report;
 use crate::source::{FileId, Span};
@@ -31,11 +31,11 @@ pub(super) struct Parser<'a> {
     file: FileId,
     text: &'a str,
     tokens: Vec<Token>,
-    index: usize,
+    pub(super) index: usize,
     /// The token that begins the statement: a line break before it is past.
-    statement: usize,
+    pub(super) statement: usize,
     /// The `}` that closed the latest block or body; behind it no `;` is needed.
-    block_end: Option<usize>,
+    pub(super) block_end: Option<usize>,
     /// The token at which the latest error was reported.
     failed_at: Option<usize>,
     nesting: u32,
@@ -61,7 +61,7 @@ impl<'a> Parser<'a> {
     }
 
     /// The token at an index; behind the last one the end of the file goes on.
-    fn token(&self, index: usize) -> Token {
+    pub(super) fn token(&self, index: usize) -> Token {
         let end = Token {
             kind: TokenKind::EndOfFile,
             start: 0,
@@ -84,8 +84,7 @@ impl<'a> Parser<'a> {
     /// The kind of the next token, or the end of the line if that ends the statement.
     pub(super) fn peek(&self) -> TokenKind {
         let token = self.next_token();
-        let ends = token.breaks && self.context.brackets == 0 && self.statement != self.index;
-        if ends && token.kind != TokenKind::EndOfFile {
+        if self.statement != self.index && self.line_ends_before(token) {
             TokenKind::LineEnd
         } else {
             token.kind
@@ -95,11 +94,20 @@ impl<'a> Parser<'a> {
     /// The kind of the token behind the next one.
     pub(super) fn peek_second(&self) -> TokenKind {
         let token = self.token(self.index + 1);
-        if token.breaks && self.context.brackets == 0 {
+        if self.line_ends_before(token) {
             TokenKind::LineEnd
         } else {
             token.kind
         }
+    }
+
+    /// Whether a statement ends at the line break before a token. Inside brackets only a word that begins an element
+    /// ends it: then a bracket has not been closed.
+    fn line_ends_before(&self, token: Token) -> bool {
+        let in_brackets = self.context.brackets > 0;
+        let begins_element =
+            matches!(token.kind, TokenKind::Keyword(word) if word.begins_element());
+        token.breaks && (!in_brackets || begins_element) && token.kind != TokenKind::EndOfFile
     }
 
     /// Whether the next token is of a kind.
@@ -302,120 +310,5 @@ impl<'a> Parser<'a> {
             ..Context::default()
         };
         self.within(context, read)
-    }
-
-    /// Goes to the start of the next statement.
-    pub(super) fn next_statement(&mut self) {
-        self.context = Context::default();
-        loop {
-            self.statement = self.index;
-            if !self.at(TokenKind::Semicolon) {
-                break;
-            }
-            self.bump();
-        }
-    }
-
-    /// Takes the `}` that closes a block.
-    pub(super) fn close_block(&mut self) {
-        self.block_end = Some(self.index);
-        self.bump();
-    }
-
-    /// Makes sure that a statement ends here, and goes to its end if it does not. Behind a block nothing need stand.
-    pub(super) fn end_statement(&mut self, advice: &str) {
-        let behind_block = self.block_end.is_some_and(|end| end + 1 == self.index);
-        if self.at_end() || behind_block {
-            return;
-        }
-        let help = self.help_for_rest(advice);
-        let message = format!(
-            "expected the end of the line or `;`, found {}",
-            self.found()
-        );
-        let mut diagnostic = Diagnostic::new(Rule::Syntax, self.span_here(), message);
-        diagnostic.help = help;
-        self.fail(diagnostic);
-        self.recover();
-    }
-
-    /// What a user may have meant by what goes on where a statement could end.
-    fn help_for_rest(&self, advice: &str) -> Option<String> {
-        let word = self.text_of(self.next_token());
-        let help = match self.peek() {
-            TokenKind::Keyword(Keyword::When) => {
-                "`when` begins the trigger of a transition; a condition begins with `IF`"
-            }
-            TokenKind::If => {
-                "`IF` begins a condition; the trigger of a transition begins with `when`"
-            }
-            TokenKind::Keyword(Keyword::Do) => {
-                "`do` begins what a transition stores; it stands behind the trigger"
-            }
-            TokenKind::RightParenthesis => "no parenthesis is open here",
-            TokenKind::Assign => "`:=` stores a value; a comparison is written `=`",
-            TokenKind::Name if word.eq_ignore_ascii_case("else") => {
-                "there is no `ELSE`: write a second statement under the contrary condition"
-            }
-            TokenKind::Name if word.eq_ignore_ascii_case("then") => {
-                "the action stands in front of its condition: `A IF c`, `a = 1 IF c`"
-            }
-            _ if advice.is_empty() => return None,
-            _ => advice,
-        };
-        Some(help.to_owned())
-    }
-
-    /// Goes to the end of the statement in which something failed: to its `;`, its line end or the `}` around it.
-    /// Braces and parentheses that are open are skipped as a whole, but never past the start of a graph or a test.
-    pub(super) fn recover(&mut self) {
-        let first = self.index;
-        let mut brackets = if self.next_token().newline {
-            0
-        } else {
-            self.context.brackets
-        };
-        self.context = Context::default();
-        let mut braces = 0_usize;
-        loop {
-            let token = self.next_token();
-            let begins_line = token.newline && self.index != self.statement;
-            match token.kind {
-                TokenKind::EndOfFile => return,
-                TokenKind::Keyword(word) if begins_line && self.begins_element(word) => {
-                    if braces == 0 || word.begins_item_only() {
-                        return;
-                    }
-                }
-                TokenKind::Semicolon | TokenKind::RightBrace if braces == 0 => return,
-                TokenKind::LeftParenthesis if braces == 0 => brackets += 1,
-                TokenKind::RightParenthesis if braces == 0 => brackets = brackets.saturating_sub(1),
-                _ if braces == 0 && brackets == 0 && self.peek() == TokenKind::LineEnd => return,
-                _ => {}
-            }
-            match token.kind {
-                TokenKind::LeftBrace => braces += 1,
-                TokenKind::RightBrace => braces -= 1,
-                _ => {}
-            }
-            self.bump();
-            if braces == 0 && token.kind == TokenKind::RightBrace && self.index > first {
-                self.block_end = Some(self.index - 1);
-            }
-        }
-    }
-
-    /// Whether the keyword that comes next begins an element rather than being used as a name.
-    pub(super) fn begins_element(&self, word: Keyword) -> bool {
-        word.begins_element()
-            && !matches!(
-                self.token(self.index + 1).kind,
-                TokenKind::Equal
-                    | TokenKind::Assign
-                    | TokenKind::If
-                    | TokenKind::Comma
-                    | TokenKind::Semicolon
-            )
-            && !(self.token(self.index + 1).newline && self.token(self.index + 1).breaks)
     }
 }

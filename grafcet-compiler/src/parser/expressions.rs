@@ -170,30 +170,29 @@ impl Parser<'_> {
 
     /// `a AND b AND c ..` as a balanced tree, so that its depth grows with the logarithm of its length. The operators
     /// are associative and evaluate both sides, so this changes nothing but the depth.
-    fn chain(&mut self, first: Tree, operator: Binary, tightness: u8) -> Parsed<Tree> {
-        let mut operands = vec![first];
-        let mut operators = Vec::new();
+    fn chain(&mut self, mut first: Tree, operator: Binary, tightness: u8) -> Parsed<Tree> {
+        let mut others = Vec::new();
         while self.operator() == Some((operator, tightness)) {
-            operators.push(self.take_operator());
-            operands.push(self.binary(tightness + 1)?);
+            let span = self.take_operator();
+            others.push((span, self.binary(tightness + 1)?));
         }
-        while operands.len() > 1 {
-            let mut pairs = Vec::with_capacity(operands.len().div_ceil(2));
-            let mut between = Vec::with_capacity(operators.len() / 2);
-            let mut operands_left = operands.into_iter();
-            let mut operators_left = operators.into_iter();
-            while let Some(left) = operands_left.next() {
-                // The operators stand between the operands: one inside each pair, one behind it.
-                pairs.push(match (operands_left.next(), operators_left.next()) {
-                    (Some(right), Some(span)) => self.join(operator, span, left, right)?,
-                    _ => left,
-                });
-                between.extend(operators_left.next());
+        // Neighbours are joined in pairs until one tree is left.
+        while !others.is_empty() {
+            let mut pairs = Vec::with_capacity(others.len() / 2);
+            let mut rest = others.into_iter();
+            if let Some((span, right)) = rest.next() {
+                first = self.join(operator, span, first, right)?;
             }
-            operands = pairs;
-            operators = between;
+            while let Some((before, left)) = rest.next() {
+                let pair = match rest.next() {
+                    Some((span, right)) => self.join(operator, span, left, right)?,
+                    None => left,
+                };
+                pairs.push((before, pair));
+            }
+            others = pairs;
         }
-        operands.pop().ok_or_else(|| self.expected("a condition"))
+        Ok(first)
     }
 
     /// An operand with the prefixes in front of it.
@@ -265,8 +264,11 @@ impl Parser<'_> {
                 return Ok(tree);
             }
             let message = format!("expected `)`, found {}", parser.found());
-            let diagnostic = Diagnostic::new(Rule::Syntax, parser.span_here(), message)
+            let mut diagnostic = Diagnostic::new(Rule::Syntax, parser.span_here(), message)
                 .label(parser.span_of(open), "the parenthesis that is open");
+            if parser.at_operand() {
+                diagnostic = diagnostic.help("an operator such as `AND` is missing");
+            }
             Err(parser.fail(diagnostic))
         })?;
         tree.outer = self.span_since(open);
@@ -336,6 +338,21 @@ impl Parser<'_> {
             equal,
         };
         Ok(Tree::leaf(kind, self.span_since(start)))
+    }
+
+    /// Something stands here that could be an operand.
+    pub(super) fn at_operand(&self) -> bool {
+        let kind = self.peek();
+        prefix_of(kind).is_some()
+            || matches!(
+                kind,
+                TokenKind::Name
+                    | TokenKind::Number
+                    | TokenKind::Duration
+                    | TokenKind::True
+                    | TokenKind::False
+                    | TokenKind::LeftParenthesis
+            )
     }
 
     fn operand_missing(&mut self) -> super::cursor::Failed {

@@ -122,6 +122,10 @@ impl Parser<'_> {
         };
         match self.nearest_keyword() {
             Some(word) => self.expected_help(what, format!("did you mean `{word}`?")),
+            None if matches!(self.peek(), TokenKind::Name | TokenKind::Text) => self.expected_help(
+                what,
+                "what is done stands in the braces of a step or of `always`",
+            ),
             None => self.expected(what),
         }
     }

@@ -97,6 +97,9 @@ impl Parser<'_> {
         let first = self.name(what)?;
         let qualified = self.at(TokenKind::Colon) && !self.context.colon_ends;
         if !qualified {
+            if first.text == "System" {
+                self.bare_system(first.span);
+            }
             return Ok(Ref {
                 graph: None,
                 span: first.span,
@@ -110,6 +113,16 @@ impl Parser<'_> {
             graph: Some(first),
             name,
         })
+    }
+
+    /// `System` without a name behind it.
+    fn bare_system(&mut self, span: Span) {
+        let help = if self.context.colon_ends {
+            "in an event a name of the system stands in parentheses: `on event ↑(System:unstable): ..`"
+        } else {
+            "its names are written `System:first_scan`, `System:unstable`"
+        };
+        self.push(Diagnostic::new(Rule::ReservedWord, span, "`System` is reserved").help(help));
     }
 
     /// Names or references with commas between them.
@@ -149,55 +162,55 @@ impl Parser<'_> {
         self.fail(diagnostic);
     }
 
-    /// `{ 1, 3 }`, the inside of it.
-    fn set_inside(&mut self) -> Parsed<Vec<Name>> {
-        if self.at(TokenKind::RightBrace) {
-            return Ok(Vec::new());
-        }
-        self.list(|parser| parser.step_identifier("a step identifier in the set"))
-    }
-
     /// `{1, 3}`.
     pub(super) fn set(&mut self) -> Parsed<Set> {
-        let open = self.expect(TokenKind::LeftBrace, "a set of steps such as `{1, 3}`")?;
-        let steps = self.bracketed(|parser| {
-            let steps = parser.set_inside()?;
-            parser.expect(TokenKind::RightBrace, "`,` or `}` in the set")?;
-            Ok(steps)
-        })?;
-        Ok(Set {
-            steps,
-            span: self.span_since(open),
-        })
+        match self.situation()? {
+            Situation::Steps(set) => Ok(set),
+            Situation::Initial(span) | Situation::Current(span) => {
+                self.error(
+                    span,
+                    "a set of steps is expected here",
+                    "name the steps: `{1, 3}`",
+                );
+                Ok(Set {
+                    steps: Vec::new(),
+                    span,
+                })
+            }
+        }
     }
 
     /// `{1, 3}`, `{I}` or `{*}`.
     pub(super) fn situation(&mut self) -> Parsed<Situation> {
-        let open = self.next_token();
-        let second = self.peek_second();
-        let is_initial = second == TokenKind::Name && self.text_of_second() == "I";
-        if !self.at(TokenKind::LeftBrace) || !(is_initial || second == TokenKind::Star) {
-            if second == TokenKind::Name
-                && self.text_of_second() == "INIT"
-                && self.at(TokenKind::LeftBrace)
-            {
-                self.bump();
-                return Err(
-                    self.expected_help("a set of steps", "the initial situation is written `{I}`")
-                );
-            }
-            return Ok(Situation::Steps(self.set()?));
+        /// What stands between the braces.
+        enum Inside {
+            Steps(Vec<Name>),
+            Initial,
+            Current,
         }
-        self.bump();
-        self.bracketed(|parser| {
-            parser.bump();
-            parser.expect(TokenKind::RightBrace, "`}`")
+        let open = self.expect(TokenKind::LeftBrace, "a set of steps such as `{1, 3}`")?;
+        let inside = self.bracketed(|parser| {
+            let inside = if parser.eat(TokenKind::Star) {
+                Inside::Current
+            } else if parser.eat_word("I") {
+                Inside::Initial
+            } else if parser.at_word("INIT") {
+                return Err(parser.expected_help("steps", "the initial situation is written `{I}`"));
+            } else if parser.at(TokenKind::RightBrace) {
+                Inside::Steps(Vec::new())
+            } else {
+                Inside::Steps(
+                    parser.list(|parser| parser.step_identifier("a step identifier in the set"))?,
+                )
+            };
+            parser.expect(TokenKind::RightBrace, "`,` or `}` in the set")?;
+            Ok(inside)
         })?;
         let span = self.span_since(open);
-        Ok(if is_initial {
-            Situation::Initial(span)
-        } else {
-            Situation::Current(span)
+        Ok(match inside {
+            Inside::Steps(steps) => Situation::Steps(Set { steps, span }),
+            Inside::Initial => Situation::Initial(span),
+            Inside::Current => Situation::Current(span),
         })
     }
 

@@ -71,7 +71,7 @@ impl Parser<'_> {
         let diagnostic = Diagnostic::new(Rule::Syntax, self.span_of(open), message)
             .label(self.span_of(self.next_token()), found)
             .help("close it with `}`");
-        self.fail(diagnostic);
+        self.push(diagnostic);
     }
 
     /// One statement; nothing when it is well-formed but must not stand here, which is reported.
@@ -171,31 +171,29 @@ impl Parser<'_> {
 
     /// `A, B IF c` or `a = e IF c`.
     fn assignment(&mut self) -> Parsed<StatementKind> {
-        let mut targets = self.list(|parser| parser.reference("a statement"))?;
-        if !matches!(self.peek(), TokenKind::Equal | TokenKind::Assign) {
+        let target = self.reference("a statement")?;
+        if matches!(self.peek(), TokenKind::Equal | TokenKind::Assign) {
+            self.bump();
+            let value = self.expression()?;
             let condition = self.condition()?;
-            return Ok(StatementKind::Momentary { targets, condition });
+            return Ok(StatementKind::Stored {
+                target,
+                value,
+                condition,
+            });
         }
-        let sign = self.span_here();
-        self.bump();
-        if targets.len() > 1 {
-            self.error(
-                sign,
-                "a value is stored in several variables",
-                "store it in one variable a statement",
-            );
+        let mut targets = vec![target];
+        while self.eat(TokenKind::Comma) {
+            targets.push(self.reference("a variable behind `,`")?);
         }
-        let value = self.expression()?;
+        if matches!(self.peek(), TokenKind::Equal | TokenKind::Assign) {
+            let message = "a value is stored in several variables at once";
+            let diagnostic = Diagnostic::new(Rule::Syntax, self.span_here(), message)
+                .help("store it by one statement for each variable: `a = 1; b = 1`");
+            return Err(self.fail(diagnostic));
+        }
         let condition = self.condition()?;
-        let target = match targets.pop() {
-            Some(target) => target,
-            None => return Err(self.expected("a statement")),
-        };
-        Ok(StatementKind::Stored {
-            target,
-            value,
-            condition,
-        })
+        Ok(StatementKind::Momentary { targets, condition })
     }
 
     /// `F/G:{1,2} IF c`.
