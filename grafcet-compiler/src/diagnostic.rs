@@ -12,7 +12,7 @@ pub enum Level {
 }
 
 /// A set of rules with names: those of the language, [`Rule`], and those of other files that are shown the same way.
-pub trait NamedRule: Copy {
+pub trait NamedRule: Copy + Ord {
     /// The rule's name as users see it, in `error[name]`.
     fn name(self) -> &'static str;
     /// Whether breaking the rule refuses the program.

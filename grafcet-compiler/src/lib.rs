@@ -10,7 +10,7 @@ pub mod ast;
 pub mod diagnostic;
 pub mod emit;
 mod lexer;
-mod literals;
+pub mod literals;
 pub mod parser;
 pub mod position;
 pub mod render;

@@ -2,11 +2,11 @@
 
 /// Why a literal cannot be read (rule `bad-literal`).
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) struct BadLiteral {
+pub struct BadLiteral {
     /// What is wrong, a lower-case phrase.
-    pub(crate) message: String,
+    pub message: String,
     /// The mend.
-    pub(crate) help: String,
+    pub help: String,
 }
 
 fn bad<T>(message: impl Into<String>, help: impl Into<String>) -> Result<T, BadLiteral> {
@@ -157,7 +157,10 @@ fn finer<T>() -> Result<T, BadLiteral> {
 }
 
 /// The length of a duration in ms: `30ms`, `2 s`, `0.5 s`, `1min30s`, `T#1m30s`. Saturates at the end of 64 bits.
-pub(crate) fn duration(text: &str) -> Result<i64, BadLiteral> {
+///
+/// # Errors
+/// When it is no duration, or one finer than 1 ms.
+pub fn duration(text: &str) -> Result<i64, BadLiteral> {
     let (iec, mut rest) = match text.split_once('#') {
         Some((prefix, rest)) if is_duration_prefix(prefix) => (true, rest),
         _ => (false, text),
