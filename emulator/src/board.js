@@ -136,7 +136,7 @@ export class Board {
 
   /**
    * Lets time pass until `untilNs`, or until `done` says so; that is asked whenever something may have
-   * happened and at least every `stepNs`.
+   * happened, and every `stepNs` while the core runs.
    * @param {number} untilNs
    * @param {() => boolean} [done]
    * @param {number} [stepNs]

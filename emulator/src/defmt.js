@@ -65,7 +65,8 @@ function print(elfPath, frames, tool) {
     encoding: 'utf8',
     maxBuffer: MAX_OUTPUT,
   });
-  if (result.error) throw new UsageError(`cannot run ${tool}: ${result.error.message}`);
+  if (result.error && result.error.code !== 'EPIPE') throw new UsageError(`cannot run ${tool}: ${result.error.message}`);
+  // A tool that gives up before it has read all input says why by itself.
   if (result.status !== 0) throw new UsageError(`${tool} failed: ${result.stderr.trim()}`);
   return result.stdout
     .split('\n')

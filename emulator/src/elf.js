@@ -97,6 +97,7 @@ function* table(view, placeAt, sizeAt, countAt, leastSize) {
   const size = view.getUint16(sizeAt, true);
   const count = view.getUint16(countAt, true);
   if (count && size < leastSize) throw new RangeError('entries too small');
+  if (count && place + count * size > view.byteLength) throw new RangeError('beyond the end');
   for (let i = 0; i < count; i++) yield place + i * size;
 }
 

@@ -17,7 +17,7 @@ import { Rtt } from './rtt.js';
 import { Uart } from './uart.js';
 
 const NS_PER_MS = 1e6;
-/** How often a predicate is asked while nothing else happens, in milliseconds. */
+/** How often a predicate is asked while the core runs and nothing else happens, in milliseconds. */
 const PREDICATE_STEP_MS = 0.1;
 const DEFAULT_OFF_MS = 100;
 
@@ -101,7 +101,7 @@ export class Pico {
 
   /**
    * Lets time pass until the predicate holds. It is asked after each edge, byte, log line and reset,
-   * whenever the core falls asleep or wakes, and at least every 0.1 ms.
+   * whenever the core falls asleep or wakes, and while it runs at least every 0.1 ms.
    * @param {() => boolean} predicate
    * @param {number} limitMs how long to wait at most
    * @returns {boolean} whether it held in time
