@@ -19,6 +19,8 @@ pub enum Cause {
     RunPin,
     /// A debugger.
     Debugger,
+    /// The boot ROM, after a new image was flashed by it.
+    Reboot,
     /// Scans failed to come.
     Watchdog,
     /// The program's image ended in a panic or a fault of the processor.
@@ -40,8 +42,55 @@ impl Cause {
             Cause::BrownOut => "brown-out",
             Cause::RunPin => "run pin",
             Cause::Debugger => "debugger",
+            Cause::Reboot => "reboot",
             Cause::Watchdog => "watchdog",
             Cause::Panic => "panic",
+        }
+    }
+}
+
+/// What a board finds after a reset. A mark is a register that outlives every reset but those that power and the reset
+/// pin cause.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Evidence {
+    /// The watchdog reset the chip: it ran out, or was told to.
+    pub by_watchdog: bool,
+    /// What the image that ran before left.
+    pub mark: Mark,
+    /// The last reset of the whole chip came from the debug port.
+    pub by_debug_port: bool,
+    /// The last reset of the whole chip came from the reset pin.
+    pub by_run_pin: bool,
+    /// The memory still holds what the image that ran before left there.
+    pub memory_kept: bool,
+}
+
+/// What an image leaves in a register for the next start.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Mark {
+    /// Nothing: power failed since.
+    None,
+    /// It was running.
+    Running,
+    /// It panicked.
+    Panicked,
+}
+
+impl Evidence {
+    /// Why the board starts.
+    #[must_use]
+    pub const fn cause(self) -> Cause {
+        match (self.by_watchdog, self.mark) {
+            (true, Mark::Panicked) => Cause::Panic,
+            (true, Mark::Running) => Cause::Watchdog,
+            // The boot ROM uses the watchdog to leave for a new image; it knows no mark of ours.
+            (true, Mark::None) => Cause::Reboot,
+            // Only the processor was reset.
+            (false, Mark::Running | Mark::Panicked) => Cause::Debugger,
+            (false, Mark::None) if self.by_debug_port => Cause::Debugger,
+            (false, Mark::None) if self.by_run_pin => Cause::RunPin,
+            (false, Mark::None) if self.memory_kept => Cause::BrownOut,
+            (false, Mark::None) => Cause::PowerOn,
         }
     }
 }

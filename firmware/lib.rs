@@ -27,6 +27,13 @@
     )
 )]
 
+/// The program and its wiring, as the build read them.
+pub mod application {
+    use crate::wiring::{InputWire, OutputWire};
+
+    include!(concat!(env!("OUT_DIR"), "/application.rs"));
+}
+
 pub mod boards;
 pub mod boot;
 pub mod filter;

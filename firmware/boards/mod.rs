@@ -2,3 +2,5 @@
 
 #[cfg(not(target_os = "none"))]
 pub mod host;
+#[cfg(target_os = "none")]
+pub mod pico;

@@ -1,0 +1,130 @@
+//! The Raspberry Pi Pico: an RP2040 with 2 MB of flash.
+//!
+//! The scan runs on an executor of its own, in a software interrupt above all other tasks and below the timer. The
+//! store task runs in thread mode. Unsafe code is here and in [`reset`] only; each piece says why.
+
+pub mod reset;
+
+use core::ptr::addr_of_mut;
+use core::sync::atomic::{AtomicU32, Ordering};
+
+// The log goes to a probe, or to an emulator, through RTT.
+use defmt_rtt as _;
+use embassy_embedded_hal::adapter::BlockingAsync;
+use embassy_executor::InterruptExecutor;
+use embassy_rp::flash::{Blocking, Flash};
+use embassy_rp::gpio::{Input, Output};
+use embassy_rp::interrupt;
+use embassy_rp::interrupt::{InterruptExt, Priority};
+use embassy_rp::watchdog::Watchdog;
+use embassy_time::Duration;
+use grafcet_core::engine::Engine;
+
+use crate::application::{
+    INPUTS, NAMES, OUTPUTS, PROGRAM, RETAIN, Storage, WATCHDOG_MS, board_pins,
+};
+use crate::boot::boot;
+use crate::input::Inputs;
+use crate::log::Observer;
+use crate::output::Outputs;
+use crate::retain::Store;
+use crate::scan::{Board, Changes, Controller, snapshot};
+use crate::store::keep;
+
+/// Bytes of flash on a Pico.
+const FLASH_SIZE: usize = 2 * 1024 * 1024;
+
+/// The longest time that the RP2040's watchdog can wait: until the retain area has been read, and mended if need be.
+const BOOT_WATCHDOG: Duration = Duration::from_millis(8_000);
+
+const SCAN_WATCHDOG: Duration = Duration::from_millis(WATCHDOG_MS as u64);
+
+const _: () = assert!(SCAN_WATCHDOG.as_millis() <= BOOT_WATCHDOG.as_millis());
+const _: () = assert!(RETAIN.end as usize <= FLASH_SIZE);
+
+/// How many variables and parameters are retained.
+const RETAINED: usize = PROGRAM.retained.len();
+
+/// The memory of the program. Its exported name lets tools that look into RAM find it.
+#[unsafe(export_name = "PLC_STORAGE")]
+static mut STORAGE: Storage = Storage::new();
+
+/// Completed scans since reset, for the same tools. It wraps around.
+#[unsafe(export_name = "PLC_SCANS")]
+static SCANS: AtomicU32 = AtomicU32::new(0);
+
+static CHANGES: Changes<RETAINED> = Changes::new();
+
+static SCAN_EXECUTOR: InterruptExecutor = InterruptExecutor::new();
+
+type PicoController = Controller<
+    'static,
+    Input<'static>,
+    Output<'static>,
+    Pico,
+    { INPUTS.len() },
+    { OUTPUTS.len() },
+    RETAINED,
+>;
+
+/// Brings the program up on the board and runs it. To be called once, from the thread-mode executor's main task.
+pub async fn run() -> ! {
+    let p = embassy_rp::init(embassy_rp::config::Config::default());
+    let (inputs, outputs) = board_pins!(p);
+    let outputs = Outputs::new(outputs, &OUTPUTS);
+    let mut watchdog = Watchdog::new(p.WATCHDOG);
+    let cause = reset::cause(&mut watchdog);
+    watchdog.pause_on_debug(true);
+    watchdog.start(BOOT_WATCHDOG);
+
+    // SAFETY: this is the only place that names STORAGE, and main runs once.
+    let memory = unsafe { &mut *addr_of_mut!(STORAGE) }.memory();
+    let mut engine = Engine::new(&PROGRAM, memory);
+    let flash = Flash::<_, Blocking, FLASH_SIZE>::new_blocking(p.FLASH);
+    let mut store = Store::new(BlockingAsync::new(flash), RETAIN);
+    boot(&mut engine, &NAMES, &mut store, cause).await;
+
+    let stored = snapshot(&engine);
+    let controller = Controller {
+        engine,
+        inputs: Inputs::new(inputs, &INPUTS),
+        outputs,
+        board: Pico { watchdog },
+        changes: &CHANGES,
+        observer: Observer::new(&NAMES),
+    };
+    interrupt::SWI_IRQ_0.set_priority(Priority::P1);
+    let spawner = SCAN_EXECUTOR.start(interrupt::SWI_IRQ_0);
+    match scan(controller) {
+        Ok(task) => spawner.spawn(task),
+        // It is spawned once. Should that ever not hold, nothing feeds the watchdog.
+        Err(_) => defmt::error!("the scan task is already running"),
+    }
+    keep(&mut store, &PROGRAM, &CHANGES, stored).await
+}
+
+#[embassy_executor::task]
+async fn scan(controller: PicoController) -> ! {
+    controller.run().await
+}
+
+#[interrupt]
+unsafe fn SWI_IRQ_0() {
+    // SAFETY: this is the handler of the interrupt that the executor was started with, which enabled it.
+    unsafe { SCAN_EXECUTOR.on_interrupt() }
+}
+
+/// What the Pico does around a scan.
+struct Pico {
+    watchdog: Watchdog,
+}
+
+impl Board for Pico {
+    async fn begin(&mut self, _engine: &Engine<'_, '_>) {}
+
+    fn complete(&mut self, _engine: &Engine<'_, '_>) {
+        self.watchdog.feed(SCAN_WATCHDOG);
+        // One writer: no compare-and-swap is needed, and a Cortex-M0+ has none.
+        SCANS.store(SCANS.load(Ordering::Relaxed).wrapping_add(1), Ordering::Relaxed);
+    }
+}
