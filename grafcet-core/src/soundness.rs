@@ -78,6 +78,48 @@ impl Unsound {
 
 /// Stops the build (or, outside a constant, panics) when a table of the program is unsound.
 ///
+/// A sound program builds:
+///
+/// ```
+/// # use grafcet_core::program::{Evolution, Layout, Program, Run};
+/// # use grafcet_core::soundness::demand;
+/// # const LAYOUT: Layout = Layout {
+/// #     words: 1, inputs: Run::EMPTY, situations: Run::EMPTY, macros: Run::EMPTY, momentary: Run::EMPTY,
+/// #     number_inputs: Run::EMPTY, outside: Run::EMPTY, numbers: 0, stamps: 0, stack: 0, fired: 0,
+/// # };
+/// # const EMPTY: Program<'static> = Program {
+/// #     period_ms: 10, evolution: Evolution::Scan, fingerprint: 0, layout: LAYOUT, graphs: &[], hierarchy: &[],
+/// #     steps: &[], macros: &[], transitions: &[], links: &[], armed_by: &[], situations: &[], enclosings: &[],
+/// #     orders: &[], stored: &[], events: &[], always_stored: Run::EMPTY, momentary: &[],
+/// #     always_momentary: Run::EMPTY, dependent: &[], watches: &[], trigger_watches: Run::EMPTY,
+/// #     round_watches: Run::EMPTY, action_watches: Run::EMPTY, terms: &[], ops: &[], numbers: &[],
+/// #     initially_true: &[], retained: &[],
+/// # };
+/// static PROGRAM: Program<'static> = Program { hierarchy: &[], ..EMPTY };
+/// const _: () = demand(&PROGRAM);
+/// ```
+///
+/// One with a damaged table, here a hierarchy of a graph that is not there, does not:
+///
+/// ```compile_fail,E0080
+/// # use grafcet_core::program::{Evolution, Layout, Program, Run};
+/// # use grafcet_core::soundness::demand;
+/// # const LAYOUT: Layout = Layout {
+/// #     words: 1, inputs: Run::EMPTY, situations: Run::EMPTY, macros: Run::EMPTY, momentary: Run::EMPTY,
+/// #     number_inputs: Run::EMPTY, outside: Run::EMPTY, numbers: 0, stamps: 0, stack: 0, fired: 0,
+/// # };
+/// # const EMPTY: Program<'static> = Program {
+/// #     period_ms: 10, evolution: Evolution::Scan, fingerprint: 0, layout: LAYOUT, graphs: &[], hierarchy: &[],
+/// #     steps: &[], macros: &[], transitions: &[], links: &[], armed_by: &[], situations: &[], enclosings: &[],
+/// #     orders: &[], stored: &[], events: &[], always_stored: Run::EMPTY, momentary: &[],
+/// #     always_momentary: Run::EMPTY, dependent: &[], watches: &[], trigger_watches: Run::EMPTY,
+/// #     round_watches: Run::EMPTY, action_watches: Run::EMPTY, terms: &[], ops: &[], numbers: &[],
+/// #     initially_true: &[], retained: &[],
+/// # };
+/// static PROGRAM: Program<'static> = Program { hierarchy: &[0], ..EMPTY };
+/// const _: () = demand(&PROGRAM);
+/// ```
+///
 /// # Panics
 /// With [`Unsound::message`]; firmware calls it in constants only.
 pub const fn demand(program: &Program<'_>) {
