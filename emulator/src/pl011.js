@@ -253,10 +253,7 @@ export class Pl011 extends BasePeripheral {
   #read() {
     const value = this.#received.shift() ?? 0;
     if (this.#received.length < this.#receiveTrigger) this.#clear(INTERRUPT.rx);
-    if (!this.#received.length) {
-      this.#timeoutAlarm.cancel();
-      this.#clear(INTERRUPT.rxTimeout);
-    }
+    if (!this.#received.length) this.#clear(INTERRUPT.rxTimeout);
     this.#request();
     return value;
   }

@@ -3,6 +3,7 @@
  * loop over local variables. Costs in cycles are those of the Cortex-M0+ with the single-cycle
  * multiplier (TRM, table 3-1).
  */
+import { holds } from './condition.js';
 import { Fault } from './fault.js';
 import { ROM_SIZE } from './map.js';
 import { transfer, transferMultiple, transferStack } from './transfer.js';
@@ -392,32 +393,4 @@ export function execute(core) {
     core.carry = carry;
     core.overflow = overflow;
   }
-}
-
-/** The condition of a branch: EQ to LE, in pairs of which the odd one is the opposite. */
-function holds(condition, signOf, zeroOf, carry, overflow) {
-  let result;
-  switch (condition >>> 1) {
-    case 0: // EQ
-      result = zeroOf === 0;
-      break;
-    case 1: // CS
-      result = carry !== 0;
-      break;
-    case 2: // MI
-      result = signOf < 0;
-      break;
-    case 3: // VS
-      result = overflow !== 0;
-      break;
-    case 4: // HI
-      result = carry !== 0 && zeroOf !== 0;
-      break;
-    case 5: // GE
-      result = signOf < 0 === (overflow !== 0);
-      break;
-    default: // GT
-      result = zeroOf !== 0 && signOf < 0 === (overflow !== 0);
-  }
-  return condition & 1 ? !result : result;
 }

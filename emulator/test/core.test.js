@@ -211,6 +211,7 @@ test('an interrupt enters its handler and returns to where it was', () => {
   bench.core.setInterrupt(0, false);
   bench.step();
   assert.equal(bench.core.IPSR, 0, 'BX LR has been executed');
+  assert.equal(bench.clock.slice, 15 + 2 + 13, 'entry, BX, return');
   assert.equal(bench.core.PC, CODE);
   assert.equal(bench.core.registers[13], 0x2000_3000);
   assert.equal(flagsOf(bench.core), 0xa);

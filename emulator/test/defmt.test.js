@@ -5,6 +5,7 @@ import { dirname, join } from 'node:path';
 import { test } from 'node:test';
 import { decodeFrames, findDefmtPrint } from '../src/defmt.js';
 import { UsageError } from '../src/fault.js';
+import { echoingDefmtPrint, executable } from './support/defmt-print.js';
 
 function folder(t) {
   const path = mkdtempSync(join(tmpdir(), 'defmt-'));
@@ -12,9 +13,9 @@ function folder(t) {
   return path;
 }
 
-function tool(path, script = '#!/bin/sh\n') {
+function tool(path) {
   mkdirSync(dirname(path), { recursive: true });
-  writeFileSync(path, script);
+  writeFileSync(path, '#!/bin/sh\n');
   chmodSync(path, 0o755);
   return path;
 }
@@ -35,18 +36,8 @@ test('a missing defmt-print is told with the mend', (t) => {
   assert.throws(() => findDefmtPrint({ DEFMT_PRINT: join(root, 'no') }, root), UsageError);
 });
 
-/** Prints one JSON line for each frame of its input that is not `bad`, as defmt-print does. */
-const FAKE = `#!/usr/bin/env node
-console.log(JSON.stringify({ schema_version: 1 }));
-for (const frame of require('node:fs').readFileSync(0, 'latin1').split('\\0').slice(0, -1)) {
-  if (frame === 'bad') continue;
-  const location = { module_path: { crate_name: 'plc', modules: ['scan'] } };
-  console.log(JSON.stringify({ data: frame, level: 'INFO', target_timestamp: '1.000002', location }));
-}
-`;
-
 test('lines come in the order of their frames, and what is no frame leaves a gap in its place', (t) => {
-  const fake = tool(join(folder(t), 'fake.cjs'), FAKE);
+  const fake = echoingDefmtPrint(t);
   const frames = ['one', 'bad', 'two', 'three'].map((text) => Buffer.from(text));
   const lines = decodeFrames('some.elf', frames, fake);
   assert.deepEqual(lines[0], { timeUs: 1_000_002, level: 'INFO', text: 'one', module: 'plc::scan' });
@@ -54,6 +45,6 @@ test('lines come in the order of their frames, and what is no frame leaves a gap
 });
 
 test('a defmt-print that fails is told with its own words', (t) => {
-  const fake = tool(join(folder(t), 'fake'), '#!/bin/sh\necho no such section >&2\nexit 1\n');
+  const fake = executable(t, '#!/bin/sh\necho no such section >&2\nexit 1\n');
   assert.throws(() => decodeFrames('some.elf', [Buffer.of(1)], fake), /failed: no such section/);
 });
