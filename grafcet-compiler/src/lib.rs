@@ -7,12 +7,20 @@
 
 pub mod application;
 pub mod ast;
+mod checks;
+mod compile;
 pub mod diagnostic;
 pub mod emit;
 mod lexer;
 pub mod literals;
+mod lower;
+pub mod model;
 pub mod parser;
 pub mod position;
 pub mod render;
 mod report;
 pub mod source;
+
+pub use compile::{Compilation, Target, compile};
+pub use lower::{Fault, check_tables};
+pub use parser::parse;

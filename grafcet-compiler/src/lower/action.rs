@@ -1,0 +1,144 @@
+//! Actions: stored and momentary statements, in the order in which they run.
+
+use grafcet_core::program::{Assignment, Dependent, Event, Momentary, Run, Slot, Stored};
+
+use super::atoms::Atom;
+use super::graph::{StepRuns, since};
+use super::unit::Lowering;
+use super::watch::Context;
+use crate::model::{self, Causality, StepId};
+
+impl Lowering<'_> {
+    /// Where `do` and `on` statements stand: under `evolution stable` they belong to the rounds.
+    pub fn change(&self) -> Context {
+        if self.model.stable {
+            Context::Round
+        } else {
+            Context::Action
+        }
+    }
+
+    /// The stored and momentary statements of stand-alone actions and steps.
+    pub fn lower_actions(&mut self) {
+        let model = self.model;
+        let start = self.rows.stored.len();
+        for graph in self.graphs.clone() {
+            for action in &model[graph].always {
+                self.stored(&action.stored, Context::Action);
+            }
+        }
+        self.rows.always_stored = since(&self.rows.stored, start);
+        for step in self.steps() {
+            let runs = self.step_actions(step);
+            self.rows.steps.push(runs);
+        }
+        self.lower_momentary();
+    }
+
+    fn steps(&self) -> Vec<StepId> {
+        let graphs = self.graphs.iter();
+        graphs
+            .flat_map(|graph| self.model[*graph].step_ids())
+            .collect()
+    }
+
+    fn step_actions(&mut self, step: StepId) -> StepRuns {
+        let action = &self.model[step].action;
+        let change = self.change();
+        StepRuns {
+            stored: self.stored(&action.stored, Context::Action),
+            on_activation: self.stored(&action.on_activation, change),
+            on_deactivation: self.stored(&action.on_deactivation, change),
+            on_event: self.events(step, &action.on_event),
+            ..StepRuns::default()
+        }
+    }
+
+    fn events(&mut self, step: StepId, events: &[model::OnEvent]) -> Run {
+        let bit = self.places.bit(Atom::Step(step));
+        let change = self.change();
+        let start = self.rows.events.len();
+        for event in events {
+            let row = Event {
+                event: self.event(&event.event, bit),
+                stored: self.stored(&event.stored, change),
+            };
+            self.rows.events.push(row);
+        }
+        since(&self.rows.events, start)
+    }
+
+    /// Stored statements, one behind the other.
+    pub fn stored(&mut self, statements: &[model::Stored], context: Context) -> Run {
+        let start = self.rows.stored.len();
+        for statement in statements {
+            let Some(slot) = self.places.slot(Atom::Variable(statement.target.variable)) else {
+                continue;
+            };
+            let assignment = match slot {
+                Slot::Bit(bit) => Assignment::Bit(bit, self.condition(&statement.value, context)),
+                Slot::Number(number) => {
+                    Assignment::Number(number, self.code(&statement.value, context))
+                }
+            };
+            let condition = self.optional(statement.condition.as_ref(), context);
+            self.rows.stored.push(Stored {
+                assignment,
+                condition,
+            });
+        }
+        since(&self.rows.stored, start)
+    }
+
+    /// Momentary statements: first those of stand-alone actions, then those of each step; those that depend on others
+    /// in the order of their dependencies.
+    fn lower_momentary(&mut self) {
+        let causality = Causality::of(self.model, &self.graphs);
+        let independent = || causality.statements.iter().filter(|it| it.reads.is_empty());
+        let start = self.rows.momentary.len();
+        for it in independent().filter(|it| it.owner.is_none()) {
+            let row = self.momentary(it.statement);
+            self.rows.momentary.push(row);
+        }
+        self.rows.always_momentary = since(&self.rows.momentary, start);
+        let in_steps: Vec<_> = independent()
+            .filter_map(|it| Some((it.owner?, it.statement)))
+            .collect();
+        for of_one_step in in_steps.chunk_by(|a, b| a.0 == b.0) {
+            let start = self.rows.momentary.len();
+            for (_, statement) in of_one_step {
+                let row = self.momentary(statement);
+                self.rows.momentary.push(row);
+            }
+            let run = since(&self.rows.momentary, start);
+            if let Some((step, _)) = of_one_step.first()
+                && let Some(runs) = self.step_runs(*step)
+            {
+                runs.momentary = run;
+            }
+        }
+        for it in causality
+            .dependent
+            .iter()
+            .filter_map(|index| causality.statements.get(*index))
+        {
+            let row = Dependent {
+                owner: it.owner.map(|step| self.places.bit(Atom::Step(step))),
+                statement: self.momentary(it.statement),
+            };
+            self.rows.dependent.push(row);
+        }
+    }
+
+    fn momentary(&mut self, statement: &model::Momentary) -> Momentary {
+        let start = self.rows.links.len();
+        let targets = statement.targets.iter();
+        let bits = targets.map(|target| self.places.bit(Atom::Variable(target.variable)));
+        self.rows.links.extend(bits);
+        let targets = since(&self.rows.links, start);
+        Momentary {
+            targets,
+            condition: self.optional(statement.condition.as_ref(), Context::Action),
+        }
+    }
+}

@@ -1,0 +1,168 @@
+//! Expressions over places, simplified where nothing that counts is lost.
+
+use grafcet_core::program::{Bit, Number, Stamp, Unit};
+
+use crate::ast::Binary;
+use crate::model::combine;
+
+/// An expression over places of one program.
+#[derive(Clone, Debug)]
+pub(super) enum Node {
+    Constant(i32),
+    Bit(Bit),
+    Number(Number),
+    /// All of these bits stand like this.
+    Situation(Vec<(Bit, bool)>),
+    StepTimer {
+        step: Bit,
+        activated: Stamp,
+        unit: Unit,
+        preset: Box<Node>,
+    },
+    Not(Box<Node>),
+    Negate(Box<Node>),
+    Binary(Binary, Box<Node>, Box<Node>),
+}
+
+impl Node {
+    /// `NOT`.
+    pub fn not(self) -> Node {
+        match self {
+            Node::Constant(value) => Node::Constant(i32::from(value == 0)),
+            Node::Not(inner) => *inner,
+            node => Node::Not(Box::new(node)),
+        }
+    }
+
+    /// Unary minus. One that overflows stays, since it counts.
+    pub fn negate(self) -> Node {
+        match self {
+            Node::Constant(value) if value != i32::MIN => Node::Constant(-value),
+            node => Node::Negate(Box::new(node)),
+        }
+    }
+
+    /// Two operands of which at least one is Boolean if `boolean` is set.
+    pub fn binary(operator: Binary, left: Node, right: Node, boolean: bool) -> Node {
+        match (&left, &right) {
+            (Node::Constant(left), Node::Constant(right)) => {
+                if let Some(value) = combine(operator, Some(*left), Some(*right)) {
+                    return Node::Constant(value);
+                }
+            }
+            (Node::Constant(constant), other) | (other, Node::Constant(constant)) if boolean => {
+                if let Some(simple) = absorb(operator, *constant, other) {
+                    return simple;
+                }
+            }
+            _ => {}
+        }
+        Node::Binary(operator, Box::new(left), Box::new(right))
+    }
+
+    /// Whether evaluating it can count an arithmetic fault, so that it must not be left out.
+    pub fn can_fault(&self) -> bool {
+        match self {
+            Node::Constant(_) | Node::Bit(_) | Node::Number(_) | Node::Situation(_) => false,
+            Node::StepTimer { preset, .. } => preset.can_fault(),
+            Node::Not(inner) => inner.can_fault(),
+            Node::Negate(_) => true,
+            Node::Binary(operator, left, right) => {
+                matches!(
+                    operator,
+                    Binary::Add
+                        | Binary::Subtract
+                        | Binary::Multiply
+                        | Binary::Divide
+                        | Binary::Modulo
+                ) || left.can_fault()
+                    || right.can_fault()
+            }
+        }
+    }
+
+    /// The node as a conjunction of literals, if it is one.
+    pub fn literals(&self) -> Option<Vec<(Bit, bool)>> {
+        let mut literals = Vec::new();
+        self.conjunction(true, &mut literals).then_some(literals)
+    }
+
+    fn conjunction(&self, positive: bool, into: &mut Vec<(Bit, bool)>) -> bool {
+        match self {
+            Node::Bit(bit) => {
+                into.push((*bit, positive));
+                true
+            }
+            Node::Constant(value) => (*value != 0) == positive,
+            Node::Not(inner) => inner.conjunction(!positive, into),
+            Node::Situation(steps) if positive => {
+                into.extend(steps);
+                true
+            }
+            Node::Situation(steps) => match steps.as_slice() {
+                [(bit, value)] => {
+                    into.push((*bit, !value));
+                    true
+                }
+                _ => false,
+            },
+            Node::Binary(Binary::And, left, right) if positive => {
+                left.conjunction(true, into) && right.conjunction(true, into)
+            }
+            Node::Binary(Binary::Or, left, right) if !positive => {
+                left.conjunction(false, into) && right.conjunction(false, into)
+            }
+            _ => false,
+        }
+    }
+}
+
+/// A Boolean operator on a constant and something else.
+fn absorb(operator: Binary, constant: i32, other: &Node) -> Option<Node> {
+    let truth = constant != 0;
+    match (operator, truth) {
+        (Binary::And, true) | (Binary::Or, false) | (Binary::Xor, false) => Some(other.clone()),
+        (Binary::Equal, true) | (Binary::NotEqual, false) => Some(other.clone()),
+        (Binary::Xor, true) | (Binary::Equal, false) | (Binary::NotEqual, true) => {
+            Some(other.clone().not())
+        }
+        (Binary::And, false) | (Binary::Or, true) if !other.can_fault() => {
+            Some(Node::Constant(constant))
+        }
+        _ => None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn bit(number: u16) -> Node {
+        Node::Bit(Bit(number))
+    }
+
+    #[test]
+    fn a_negated_disjunction_is_a_conjunction() {
+        let node = Node::binary(Binary::Or, bit(1), bit(2).not(), true).not();
+        assert_eq!(node.literals(), Some(vec![(Bit(1), false), (Bit(2), true)]));
+    }
+
+    #[test]
+    fn a_disjunction_is_no_conjunction() {
+        assert_eq!(
+            Node::binary(Binary::Or, bit(1), bit(2), true).literals(),
+            None
+        );
+    }
+
+    #[test]
+    fn what_can_fault_is_never_left_out() {
+        let number = || Box::new(Node::Number(Number(2)));
+        let faulty = Node::Binary(Binary::Divide, number(), number());
+        let compared = Node::binary(Binary::Greater, faulty, Node::Constant(0), false);
+        let node = Node::binary(Binary::And, Node::Constant(0), compared, true);
+        assert!(matches!(node, Node::Binary(Binary::And, ..)));
+        let overflow = Node::binary(Binary::Divide, Node::Constant(1), Node::Constant(0), false);
+        assert!(matches!(overflow, Node::Binary(Binary::Divide, ..)));
+    }
+}

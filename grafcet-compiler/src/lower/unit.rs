@@ -1,0 +1,194 @@
+//! One program on its way to tables.
+
+use std::collections::BTreeMap;
+
+use grafcet_core::program::{
+    Bit, Dependent, Enclosing, Event, Evolution, Momentary, Order, Run, Stamp, Stored, Transition,
+};
+
+use super::atoms::Atom;
+use super::fingerprint;
+use super::graph::{GraphOrders, StepRuns};
+use super::limits::{self, index};
+use super::places::{Contents, Places};
+use super::pool::Pool;
+use super::watch::{Context, Memories, Watches};
+use crate::application::Tables;
+use crate::diagnostic::Diagnostic;
+use crate::model::{GraphId, Model};
+
+/// What a program stands for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Kind {
+    /// The controller or a plant: it has graphs of its own.
+    Graphs,
+    /// The expressions of a test.
+    Observer,
+}
+
+/// Tables as they grow, with all that is needed to fill them.
+pub(super) struct Lowering<'m> {
+    pub model: &'m Model,
+    pub kind: Kind,
+    pub places: Places,
+    pub pool: Pool,
+    pub watches: Watches,
+    pub memories: Memories,
+    /// The graphs, in the order of their rows.
+    pub graphs: Vec<GraphId>,
+    pub rows: Rows,
+    activations: BTreeMap<Atom, Stamp>,
+}
+
+/// Rows that refer to what lies in other tables.
+#[derive(Default)]
+pub(super) struct Rows {
+    pub links: Vec<Bit>,
+    pub situations: Vec<u32>,
+    pub stored: Vec<Stored>,
+    pub events: Vec<Event>,
+    pub momentary: Vec<Momentary>,
+    pub orders: Vec<Order>,
+    pub enclosings: Vec<Enclosing>,
+    pub transitions: Vec<Transition>,
+    /// What each step does, in the order of the steps.
+    pub steps: Vec<StepRuns>,
+    pub dependent: Vec<Dependent>,
+    pub always_stored: Run,
+    pub always_momentary: Run,
+    /// What the stand-alone actions of each graph force.
+    pub graph_orders: Vec<GraphOrders>,
+    /// Rows of what encloses each graph.
+    pub enclosing_runs: Vec<Run>,
+    known_situations: BTreeMap<Vec<u32>, u16>,
+}
+
+impl Rows {
+    /// Index of the first word of a situation; equal ones share their words.
+    pub fn situation(&mut self, words: Vec<u32>) -> u16 {
+        if let Some(first) = self.known_situations.get(&words) {
+            return *first;
+        }
+        let first = index(self.situations.len());
+        self.situations.extend(&words);
+        self.known_situations.insert(words, first);
+        first
+    }
+}
+
+impl<'m> Lowering<'m> {
+    /// An empty program with everything in its place.
+    pub fn new(model: &'m Model, kind: Kind, contents: Contents) -> Self {
+        let places = Places::new(model, &contents);
+        let memories = Memories {
+            bits: places.next_bit,
+            stamps: 0,
+        };
+        Lowering {
+            model,
+            kind,
+            places,
+            pool: Pool::default(),
+            watches: Watches::default(),
+            memories,
+            graphs: contents.graphs,
+            rows: Rows::default(),
+            activations: BTreeMap::new(),
+        }
+    }
+
+    /// Whether a step or macro step belongs to this program.
+    pub fn is_own(&self, atom: Atom) -> bool {
+        let graph = match atom {
+            Atom::Step(id) => self.model[id].graph,
+            Atom::Macro(id) => self.model[id].graph,
+            Atom::Variable(_) | Atom::System(_) => return false,
+        };
+        self.graphs.binary_search(&graph).is_ok()
+    }
+
+    /// The row of a graph.
+    pub fn graph_row(&self, graph: GraphId) -> usize {
+        self.graphs.binary_search(&graph).unwrap_or(usize::MAX)
+    }
+
+    /// Where the time of activation of a step or macro step is kept, because a timer reads it.
+    pub fn activation(&mut self, atom: Atom) -> Stamp {
+        let memories = &mut self.memories;
+        *self
+            .activations
+            .entry(atom)
+            .or_insert_with(|| memories.stamp())
+    }
+
+    /// Lowers everything in the graphs.
+    pub fn lower_graphs(&mut self) {
+        self.lower_actions();
+        self.lower_transitions();
+        self.rows.graph_orders = self.lower_orders();
+        self.rows.enclosing_runs = self.lower_enclosings();
+    }
+
+    /// The finished tables, unless they are too large.
+    pub fn finish(mut self) -> Result<(Tables, Places), Vec<Diagnostic>> {
+        let activations = std::mem::take(&mut self.activations);
+        let (watches, runs) = std::mem::take(&mut self.watches).table();
+        let run = |context| runs.get(&context).copied().unwrap_or_default();
+        let structure = self.structure(&activations, run);
+        let mut layout = self.places.layout;
+        layout.words = index(self.memories.bits.div_ceil(32));
+        layout.numbers = index(self.places.numbers.len());
+        layout.stamps = index(self.memories.stamps);
+        layout.stack = index(self.pool.stack);
+        layout.fired = index(self.rows.transitions.len().div_ceil(32));
+        let rows = self.rows;
+        let mut tables = Tables {
+            period_ms: self.model.period_ms,
+            evolution: if self.model.stable {
+                Evolution::Stable
+            } else {
+                Evolution::Scan
+            },
+            fingerprint: 0,
+            layout,
+            graphs: structure.graphs,
+            hierarchy: structure.hierarchy,
+            steps: structure.steps,
+            macros: structure.macros,
+            transitions: rows.transitions,
+            links: rows.links,
+            armed_by: structure.armed_by,
+            situations: rows.situations,
+            enclosings: rows.enclosings,
+            orders: rows.orders,
+            stored: rows.stored,
+            events: rows.events,
+            always_stored: rows.always_stored,
+            momentary: rows.momentary,
+            always_momentary: rows.always_momentary,
+            dependent: rows.dependent,
+            watches,
+            trigger_watches: run(Context::Trigger),
+            round_watches: run(Context::Round),
+            action_watches: run(Context::Action),
+            terms: self.pool.terms,
+            ops: self.pool.ops,
+            numbers: std::mem::take(&mut self.places.numbers),
+            initially_true: std::mem::take(&mut self.places.initially_true),
+            retained: Vec::new(),
+        };
+        let mut beyond = self.pool.too_long;
+        beyond.extend(limits::check(
+            &tables,
+            self.memories.bits,
+            self.memories.stamps,
+            self.model.span,
+        ));
+        if !beyond.is_empty() {
+            return Err(beyond);
+        }
+        tables.fingerprint = fingerprint::of(&tables);
+        debug_assert_eq!(super::validity::check(&tables), Ok(()));
+        Ok((tables, self.places))
+    }
+}

@@ -1,0 +1,404 @@
+//! Names: what is declared where, and looking it up (`language.md`, "Expressions").
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use super::resolver::Resolver;
+use super::{DeclarationKind, GraphId, MacroId, StepId, System, VariableId};
+use crate::ast;
+use crate::diagnostic::{Diagnostic, Rule};
+use crate::source::Span;
+
+/// The names of an application.
+#[derive(Default)]
+pub(super) struct Names<'a> {
+    /// What the application declares.
+    pub application: BTreeMap<String, VariableId>,
+    /// Graphs, instances and plants.
+    pub graphs: BTreeMap<String, GraphId>,
+    /// Templates, those of libraries too.
+    pub templates: BTreeMap<String, &'a ast::Graph>,
+    /// Instances of templates that there are not: nothing is known of them, and nothing is said of what they lack.
+    pub broken: BTreeSet<String>,
+    /// The names inside each graph.
+    pub scopes: Vec<Scope>,
+}
+
+/// The names inside a graph.
+#[derive(Default)]
+pub(super) struct Scope {
+    /// What it declares.
+    pub names: BTreeMap<String, VariableId>,
+    /// Steps and macro steps by their identifiers.
+    pub steps: BTreeMap<String, StepName>,
+    /// The template it is an instance of: inside, that name means this graph.
+    pub template: Option<String>,
+}
+
+/// What a step identifier stands for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum StepName {
+    Step(StepId),
+    Macro(MacroId),
+}
+
+/// What a name stands for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Found {
+    Variable(VariableId),
+    Step(StepId),
+    Macro(MacroId),
+    System(System),
+}
+
+impl From<StepName> for Found {
+    fn from(step: StepName) -> Self {
+        match step {
+            StepName::Step(id) => Found::Step(id),
+            StepName::Macro(id) => Found::Macro(id),
+        }
+    }
+}
+
+/// From where a name is looked up.
+#[derive(Clone, Copy)]
+pub(super) enum View<'v> {
+    /// Inside a graph of the controller.
+    Graph(GraphId),
+    /// Inside a plant.
+    Plant(GraphId),
+    /// Outside of all graphs: bindings and constants of the application.
+    Application,
+    /// In a test with these plants, or in a property.
+    Claim(&'v [GraphId]),
+}
+
+impl View<'_> {
+    /// The graph or plant whose names come first.
+    pub fn home(self) -> Option<GraphId> {
+        match self {
+            View::Graph(graph) | View::Plant(graph) => Some(graph),
+            View::Application | View::Claim(_) => None,
+        }
+    }
+}
+
+impl<'a> Resolver<'a> {
+    /// What a name stands for; nothing when that is wrong, which is then reported.
+    pub(super) fn find(&mut self, name: &ast::Ref, view: View) -> Option<Found> {
+        let found = match &name.graph {
+            Some(graph) if graph.text == "System" => self.find_system(&name.name),
+            Some(graph) => {
+                let graph = self.find_graph(graph, view)?;
+                let inside = self.find_inside(graph, &name.name.text);
+                if inside.is_none() {
+                    self.report_missing_inside(graph, &name.name);
+                }
+                inside
+            }
+            None => self.find_unqualified(&name.name, view),
+        }?;
+        self.admit(found, name.span, view).then_some(found)
+    }
+
+    fn find_system(&mut self, name: &ast::Name) -> Option<Found> {
+        let found = System::ALL.into_iter().find(|it| it.name() == name.text);
+        if found.is_none() {
+            let known = System::ALL.map(System::name);
+            let nearest = nearest(&name.text, known.into_iter());
+            self.report_with_help(
+                Diagnostic::new(
+                    Rule::UnknownName,
+                    name.span,
+                    format!("there is no `System:{}`", name.text),
+                ),
+                Some(match nearest {
+                    Some(nearest) => format!("did you mean `System:{nearest}`?"),
+                    None => format!("there are `System:{}`", known.join("`, `System:")),
+                }),
+            );
+        }
+        found.map(Found::System)
+    }
+
+    fn find_unqualified(&mut self, name: &ast::Name, view: View) -> Option<Found> {
+        if let Some(home) = view.home()
+            && let Some(found) = self.find_inside(home, &name.text)
+        {
+            return Some(found);
+        }
+        if let Some(id) = self.names.application.get(&name.text) {
+            return Some(Found::Variable(*id));
+        }
+        if let View::Claim(plants) = view {
+            return self.find_in_claim(name, plants);
+        }
+        self.report_missing(name, view);
+        None
+    }
+
+    /// In a test or a property, what only one graph has may go unqualified.
+    fn find_in_claim(&mut self, name: &ast::Name, plants: &[GraphId]) -> Option<Found> {
+        let graphs: Vec<GraphId> = self
+            .model
+            .controller()
+            .chain(plants.iter().copied())
+            .collect();
+        let found: Vec<(GraphId, Found)> = graphs
+            .into_iter()
+            .filter_map(|graph| Some((graph, self.find_inside(graph, &name.text)?)))
+            .collect();
+        match found.as_slice() {
+            [(_, only)] => Some(*only),
+            [] => {
+                self.report_missing(name, View::Claim(plants));
+                None
+            }
+            [(first, _), (second, _), ..] => {
+                let (first, second) = (&self.model[*first].name, &self.model[*second].name);
+                let text = &name.text;
+                let what = if step_of(text).is_some() {
+                    "a step bit"
+                } else {
+                    "a name"
+                };
+                let diagnostic = Diagnostic::new(
+                    Rule::UnknownName,
+                    name.span,
+                    format!("`{text}` is {what} of more than one graph"),
+                )
+                .help(format!("say which: `{first}:{text}` or `{second}:{text}`"));
+                self.report(diagnostic);
+                None
+            }
+        }
+    }
+
+    /// A step bit or a declared name of one graph.
+    pub(super) fn find_inside(&self, graph: GraphId, name: &str) -> Option<Found> {
+        let scope = &self.names.scopes[graph.0];
+        let step = step_of(name).and_then(|id| scope.steps.get(id).copied());
+        match step {
+            Some(step) => Some(step.into()),
+            None => scope.names.get(name).copied().map(Found::Variable),
+        }
+    }
+
+    /// A graph by its name, when it may be named from here.
+    pub(super) fn find_graph(&mut self, name: &ast::Name, view: View) -> Option<GraphId> {
+        if let Some(home) = view.home()
+            && self.names.scopes[home.0].template.as_deref() == Some(name.text.as_str())
+        {
+            return Some(home);
+        }
+        let Some(graph) = self.names.graphs.get(&name.text).copied() else {
+            if !self.names.broken.contains(&name.text) {
+                self.report_missing_graph(name);
+            }
+            return None;
+        };
+        let plant = self.model[graph].plant;
+        let refusal = match view {
+            View::Graph(_) | View::Application if plant => Some((
+                format!(
+                    "`{}` is a plant: it stands in for the machine, and no graph can name it",
+                    name.text
+                ),
+                "a graph knows the machine by its inputs and outputs".to_owned(),
+            )),
+            View::Plant(home) if plant && graph != home => Some((
+                format!(
+                    "`{}` is another plant: plants meet in the inputs and outputs only",
+                    name.text
+                ),
+                "read the input that the other plant writes".to_owned(),
+            )),
+            View::Claim(plants) if plant && !plants.contains(&graph) => Some((
+                format!("the plant `{}` does not run here", name.text),
+                format!("write `with {}` behind the test's text", name.text),
+            )),
+            _ => None,
+        };
+        match refusal {
+            Some((message, help)) => {
+                let diagnostic = Diagnostic::new(Rule::UnknownGraph, name.span, message).help(help);
+                self.report(diagnostic);
+                None
+            }
+            None => Some(graph),
+        }
+    }
+
+    /// Whether what was found may be named from here: a plant sees the machine's side of the terminals only.
+    fn admit(&mut self, found: Found, span: Span, view: View) -> bool {
+        let View::Plant(home) = view else {
+            return true;
+        };
+        let what = match found {
+            Found::System(_) => return true,
+            Found::Step(id) if self.model[id].graph == home => return true,
+            Found::Macro(id) if self.model[id].graph == home => return true,
+            Found::Step(_) | Found::Macro(_) => "a step of a graph",
+            Found::Variable(id) => {
+                let variable = &self.model[id];
+                match variable.kind {
+                    DeclarationKind::Variable { .. } if variable.owner != Some(home) => {
+                        "an internal variable of the application"
+                    }
+                    _ => return true,
+                }
+            }
+        };
+        let diagnostic = Diagnostic::new(
+            Rule::UnknownName,
+            span,
+            format!("a plant cannot see {what}: it stands in for the machine"),
+        )
+        .help("a plant reads outputs, inputs, parameters and constants");
+        self.report(diagnostic);
+        false
+    }
+
+    fn report_missing(&mut self, name: &ast::Name, view: View) {
+        if let Some(step) = step_of(&name.text) {
+            match view.home() {
+                Some(home) => self.report_missing_step(home, name, step),
+                None => {
+                    let message = match view {
+                        View::Claim(_) => format!("no graph has a step {step}"),
+                        _ => format!("`{}` is a step bit, but of which graph?", name.text),
+                    };
+                    let diagnostic = Diagnostic::new(Rule::UnknownStep, name.span, message);
+                    let help = matches!(view, View::Application)
+                        .then(|| format!("write `Graph:{}`", name.text));
+                    self.report_with_help(diagnostic, help);
+                }
+            }
+            return;
+        }
+        let nearest = self.suggest(&name.text, |names| {
+            let plants = match view {
+                View::Claim(plants) => plants,
+                _ => &[],
+            };
+            let scopes = view.home().into_iter().chain(plants.iter().copied());
+            let inside = scopes.flat_map(|graph| names.scopes[graph.0].names.keys());
+            inside.chain(names.application.keys()).cloned().collect()
+        });
+        let help = nearest
+            .map(|nearest| format!("did you mean `{nearest}`?"))
+            .or_else(|| self.elsewhere(&name.text, view));
+        let diagnostic = Diagnostic::new(
+            Rule::UnknownName,
+            name.span,
+            format!("nothing is called `{}` here", name.text),
+        );
+        self.report_with_help(diagnostic, help);
+    }
+
+    /// Advice when another graph, or a plant that does not run here, has the name.
+    fn elsewhere(&self, name: &str, view: View) -> Option<String> {
+        let owner = (0..self.model.graphs.len())
+            .map(GraphId)
+            .find(|graph| self.names.scopes[graph.0].names.contains_key(name))?;
+        let graph = &self.model[owner];
+        match (view, graph.plant) {
+            (View::Claim(_), true) => Some(format!(
+                "the plant `{0}` has it: write `with {0}` behind the test's text",
+                graph.name
+            )),
+            (_, true) => None,
+            (_, false) => Some(format!(
+                "the graph `{0}` has it: write `{0}:{name}`",
+                graph.name
+            )),
+        }
+    }
+
+    fn report_missing_inside(&mut self, graph: GraphId, name: &ast::Name) {
+        if let Some(step) = step_of(&name.text) {
+            self.report_missing_step(graph, name, step);
+            return;
+        }
+        let nearest = self.suggest(&name.text, |names| {
+            names.scopes[graph.0].names.keys().cloned().collect()
+        });
+        let graph_name = &self.model[graph].name;
+        let help = match nearest {
+            Some(nearest) => Some(format!("did you mean `{graph_name}:{nearest}`?")),
+            None if self.names.application.contains_key(&name.text) => Some(format!(
+                "the application declares it: write `{}` alone",
+                name.text
+            )),
+            None => None,
+        };
+        let diagnostic = Diagnostic::new(
+            Rule::UnknownName,
+            name.span,
+            format!("the graph `{graph_name}` declares no `{}`", name.text),
+        );
+        self.report_with_help(diagnostic, help);
+    }
+
+    /// Reports that a graph has no such step; `name` is the place, `X7` or `7`.
+    pub(super) fn report_missing_step(&mut self, graph: GraphId, name: &ast::Name, step: &str) {
+        let nearest = self.suggest(step, |names| {
+            names.scopes[graph.0].steps.keys().cloned().collect()
+        });
+        let prefix = name.text.strip_suffix(step).unwrap_or("");
+        let help = nearest.map(|nearest| format!("did you mean `{prefix}{nearest}`?"));
+        let diagnostic = Diagnostic::new(
+            Rule::UnknownStep,
+            name.span,
+            format!("the graph `{}` has no step {step}", self.model[graph].name),
+        );
+        self.report_with_help(diagnostic, help);
+    }
+
+    fn report_missing_graph(&mut self, name: &ast::Name) {
+        let diagnostic = Diagnostic::new(
+            Rule::UnknownGraph,
+            name.span,
+            format!("there is no graph `{}`", name.text),
+        );
+        let help = if self.names.templates.contains_key(&name.text) {
+            Some(format!(
+                "`{0}` is a template: name an instance of it, `graph G = {0}`",
+                name.text
+            ))
+        } else {
+            self.suggest(&name.text, |names| names.graphs.keys().cloned().collect())
+                .map(|nearest| format!("did you mean `{nearest}`?"))
+        };
+        self.report_with_help(diagnostic, help);
+    }
+}
+
+/// The step identifier in a step bit: `3` in `X3`, `M5` in `XM5`.
+pub(super) fn step_of(name: &str) -> Option<&str> {
+    let id = name.strip_prefix('X')?;
+    let digits = id
+        .strip_prefix(|c: char| c.is_ascii_uppercase())
+        .unwrap_or(id);
+    let is_number = !digits.is_empty() && digits.bytes().all(|byte| byte.is_ascii_digit());
+    is_number.then_some(id)
+}
+
+/// The known name nearest to one that is not known, if one is near at all.
+pub(super) fn nearest<'n>(name: &str, known: impl Iterator<Item = &'n str>) -> Option<&'n str> {
+    let far = name.chars().count().div_ceil(3).max(1);
+    known
+        .map(|it| {
+            let same_but_case = it.to_lowercase() == name.to_lowercase();
+            (
+                if same_but_case {
+                    0
+                } else {
+                    strsim::osa_distance(name, it)
+                },
+                it,
+            )
+        })
+        .filter(|(distance, _)| *distance <= far)
+        .min()
+        .map(|(_, it)| it)
+}

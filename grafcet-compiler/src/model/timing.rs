@@ -1,0 +1,107 @@
+//! Timers and delays: `T/e/d`, `t1/e`, `t1/e/t2`.
+
+use super::constant::a;
+use super::resolver::Resolver;
+use super::{Expression, ExpressionKind, Type};
+use crate::diagnostic::{Diagnostic, Rule};
+use crate::source::Span;
+
+/// The unit of a preset in ms, and the longest one: what 32 bits of ms hold.
+const MS_PER_SECOND: i64 = 1000;
+
+impl Resolver<'_> {
+    pub(super) fn timer(
+        &mut self,
+        enable: Expression,
+        preset: Expression,
+        span: Span,
+    ) -> Expression {
+        let preset = match preset.ty {
+            Some(Type::Bool) => {
+                let diagnostic = Diagnostic::new(
+                    Rule::TypeMismatch,
+                    preset.span,
+                    "the preset of a timer is a time, or an int that counts seconds, and this is a Boolean",
+                )
+                .help("write `T/enable/preset`, as in `T/X3/2s`");
+                self.report(diagnostic);
+                Expression::unknown(preset.span)
+            }
+            _ => self.limited(preset),
+        };
+        Expression {
+            kind: ExpressionKind::Timer {
+                enable: Box::new(enable),
+                preset: Box::new(preset),
+            },
+            ty: Some(Type::Bool),
+            span,
+        }
+    }
+
+    /// Refuses a constant preset that 32 bits of ms do not hold.
+    fn limited(&mut self, preset: Expression) -> Expression {
+        let ms = preset.constant(&self.model).map(|value| match preset.ty {
+            Some(Type::Int) => i64::from(value) * MS_PER_SECOND,
+            _ => i64::from(value),
+        });
+        if ms.is_some_and(|ms| i32::try_from(ms).is_err()) {
+            let diagnostic =
+                Diagnostic::new(Rule::OutOfRange, preset.span, "a preset is at most 24 days")
+                    .help("an int preset counts seconds");
+            self.report(diagnostic);
+        }
+        preset
+    }
+
+    pub(super) fn delay(
+        &mut self,
+        on: Expression,
+        enable: Expression,
+        off: Option<Expression>,
+        span: Span,
+    ) -> Expression {
+        let on = self.delay_time(on);
+        let enable = self.demand_bool(enable, "what a delay follows");
+        let off = off.map(|off| Box::new(self.delay_time(off)));
+        Expression {
+            kind: ExpressionKind::Delay {
+                on: Box::new(on),
+                enable: Box::new(enable),
+                off,
+            },
+            ty: Some(Type::Bool),
+            span,
+        }
+    }
+
+    fn delay_time(&mut self, time: Expression) -> Expression {
+        match time.ty {
+            None | Some(Type::Time) => time,
+            Some(ty) => {
+                let message = format!("a delay is a time, and this is {}", a(ty));
+                let diagnostic = Diagnostic::new(Rule::TypeMismatch, time.span, message);
+                let help = (ty == Type::Int).then(|| "give it a unit, as in `3s/X5`".to_owned());
+                self.report_with_help(diagnostic, help);
+                Expression::unknown(time.span)
+            }
+        }
+    }
+
+    /// `d/X5` and `d/X5/t2` of names: only types tell them from divisions.
+    pub(super) fn divide_as_delay(
+        &mut self,
+        left: Expression,
+        right: Expression,
+        span: Span,
+    ) -> Expression {
+        match left.kind {
+            ExpressionKind::Delay {
+                on,
+                enable,
+                off: None,
+            } => self.delay(*on, *enable, Some(right), span),
+            _ => self.delay(left, right, None, span),
+        }
+    }
+}
