@@ -1,0 +1,5 @@
+//! One file a board.
+
+mod pico;
+
+pub use pico::PICO;

@@ -1,0 +1,106 @@
+//! The wiring as Rust source: what `build.rs` puts beside the program.
+//!
+//! `InputWire` and `OutputWire` are types of the image; the generated items name them as the including module knows
+//! them.
+
+use proc_macro2::{Ident, Literal, Span, TokenStream};
+use quote::quote;
+
+use crate::check::{Connection, Wiring};
+use crate::file::{Active, InputEntry, OutputEntry, Pull};
+
+/// `INPUTS`, `OUTPUTS`, `RETAIN` and `WATCHDOG_MS`: what the image is told on every machine.
+#[must_use]
+pub fn tables(wiring: &Wiring) -> TokenStream {
+    let inputs = wiring.inputs.iter().map(input_wire);
+    let outputs = wiring.outputs.iter().map(output_wire);
+    let counts = [wiring.inputs.len(), wiring.outputs.len()].map(Literal::usize_unsuffixed);
+    let [input_count, output_count] = counts;
+    let (start, end) = (
+        Literal::u32_unsuffixed(wiring.retain.start),
+        Literal::u32_unsuffixed(wiring.retain.end),
+    );
+    let record_bytes = Literal::usize_unsuffixed(wiring.record_bytes);
+    let watchdog_ms = Literal::u32_unsuffixed(wiring.watchdog_ms);
+    quote! {
+        /// The inputs, in the order of their pins.
+        pub static INPUTS: [InputWire; #input_count] = [#(#inputs),*];
+
+        /// The outputs, in the order of their pins.
+        pub static OUTPUTS: [OutputWire; #output_count] = [#(#outputs),*];
+
+        /// Where retained values lie: byte offsets in flash, whole sectors.
+        pub const RETAIN: core::ops::Range<u32> = #start..#end;
+
+        const _: () = assert!(#record_bytes <= crate::retain::LONGEST_RECORD);
+
+        /// After so many ms without a completed scan the watchdog resets the board.
+        pub const WATCHDOG_MS: u32 = #watchdog_ms;
+    }
+}
+
+/// `board_pins!`, which makes of a board's peripherals the input and output pins in the order of the tables. An
+/// output begins at its safe level.
+#[must_use]
+pub fn board_pins(wiring: &Wiring) -> TokenStream {
+    let inputs = wiring.inputs.iter().map(|input| {
+        let pin = peripheral(input);
+        let pull = match input.entry.pull {
+            Pull::Up => quote!(Up),
+            Pull::Down => quote!(Down),
+            Pull::None => quote!(None),
+        };
+        quote!(embassy_rp::gpio::Input::new($p.#pin, embassy_rp::gpio::Pull::#pull))
+    });
+    let outputs = wiring.outputs.iter().map(|output| {
+        let pin = peripheral(output);
+        let level = if output.entry.safe == (output.entry.active == Active::High) {
+            quote!(High)
+        } else {
+            quote!(Low)
+        };
+        quote!(embassy_rp::gpio::Output::new($p.#pin, embassy_rp::gpio::Level::#level))
+    });
+    quote! {
+        /// The pins of the program, inputs and outputs, each in the order of its table.
+        #[allow(unused_macros)]
+        macro_rules! board_pins {
+            ($p:ident) => {
+                ([#(#inputs),*], [#(#outputs),*])
+            };
+        }
+
+        #[allow(unused_imports)]
+        pub(crate) use board_pins;
+    }
+}
+
+/// The lines of a linker script that name the length of the retain area.
+#[must_use]
+pub fn retain_script(wiring: &Wiring) -> String {
+    format!("RETAIN_LENGTH = {};\n", wiring.retain.len())
+}
+
+fn peripheral<T>(connection: &Connection<T>) -> Ident {
+    Ident::new(connection.pin.peripheral, Span::call_site())
+}
+
+fn input_wire(input: &Connection<InputEntry>) -> TokenStream {
+    let bit = Literal::u16_unsuffixed(input.bit.0);
+    let address = input.address.to_string();
+    let active_low = input.entry.active == Active::Low;
+    let filter_ms = Literal::u16_unsuffixed(input.entry.filter_ms);
+    quote! {
+        InputWire { bit: Bit(#bit), address: #address, active_low: #active_low, filter_ms: #filter_ms }
+    }
+}
+
+fn output_wire(output: &Connection<OutputEntry>) -> TokenStream {
+    let bit = Literal::u16_unsuffixed(output.bit.0);
+    let address = output.address.to_string();
+    let active_low = output.entry.active == Active::Low;
+    let safe = output.entry.safe;
+    quote! {
+        OutputWire { bit: Bit(#bit), address: #address, active_low: #active_low, safe: #safe }
+    }
+}

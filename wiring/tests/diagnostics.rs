@@ -1,0 +1,344 @@
+//! What a person sees who has miswired a board: every rule, with its line and the mend.
+
+#![allow(
+    clippy::unwrap_used,
+    clippy::expect_used,
+    reason = "a failed expectation is a failed test"
+)]
+
+use std::io;
+
+use wiring::rule::{Diagnostic, Rule};
+use wiring::{Loaded, load_from};
+
+const PROGRAM: &str = "\
+application saw
+
+input  start at %IX0.0
+input  stop  at %IX0.1
+output MOTOR at %QX0.0
+
+graph Saw {
+    initial step 1
+    step 2 { MOTOR }
+    transition 1: 1 -> 2 when ↑start AND NOT stop
+    transition 2: 2 -> 1 when stop
+}
+";
+
+const GOOD: &str = r#"application = "saw.grafcet"
+board = "pico"
+
+[inputs]
+"%IX0.0" = "GP2"
+"%IX0.1" = { pin = "GP3", pull = "up", active = "low", filter = "5 ms" }
+
+[outputs]
+"%QX0.0" = { pin = "GP16", safe = "off" }
+
+[retain]
+sectors = 4
+
+[watchdog]
+timeout = "1 s"
+"#;
+
+/// Loads a `plc.toml` beside a program.
+fn loaded_with(program: &str, plc: &str) -> Loaded {
+    let read = |path: &str| match path {
+        "plc.toml" => Ok(plc.to_owned()),
+        "saw.grafcet" => Ok(program.to_owned()),
+        _ => Err(io::ErrorKind::NotFound.into()),
+    };
+    load_from("plc.toml", &read).unwrap()
+}
+
+/// The good file with a change, and the rules that are broken by it.
+fn changed(from: &str, to: &str) -> (Vec<Rule>, String) {
+    assert!(GOOD.contains(from), "{from}");
+    shown(&loaded_with(PROGRAM, &GOOD.replacen(from, to, 1)))
+}
+
+fn shown(loaded: &Loaded) -> (Vec<Rule>, String) {
+    assert!(loaded.wiring.is_empty() || loaded.image.is_none());
+    let rules = loaded
+        .wiring
+        .iter()
+        .map(|it: &Diagnostic| it.rule)
+        .collect();
+    (rules, loaded.errors())
+}
+
+/// Expects the rules and compares what is shown.
+macro_rules! assert_shown {
+    ($shown:expr, $($rule:ident),+ $(,)?) => {{
+        let (rules, text) = $shown;
+        assert_eq!(rules, [$(Rule::$rule),+], "{text}");
+        insta::assert_snapshot!(text);
+    }};
+}
+
+#[test]
+fn a_good_file_is_taken() {
+    let loaded = loaded_with(PROGRAM, GOOD);
+    assert_eq!(loaded.errors(), "");
+    assert!(loaded.image.is_some());
+}
+
+#[test]
+fn a_key_without_meaning_is_unknown() {
+    assert_shown!(changed("pull =", "pul ="), UnknownKey);
+}
+
+#[test]
+fn an_unknown_table_is_told_the_known_ones() {
+    assert_shown!(changed("[retain]", "[flash]"), UnknownKey);
+}
+
+#[test]
+fn a_file_has_to_name_program_and_board() {
+    let nothing = loaded_with(PROGRAM, "");
+    assert_shown!(shown(&nothing), MissingKey, MissingKey);
+}
+
+#[test]
+fn an_input_has_to_have_a_pin() {
+    assert_shown!(changed("pin = \"GP3\", ", ""), MissingKey);
+}
+
+#[test]
+fn a_pull_is_one_of_three_words() {
+    assert_shown!(changed("\"up\"", "\"upp\""), BadValue);
+}
+
+#[test]
+fn a_filter_is_a_text() {
+    assert_shown!(changed("\"5 ms\"", "5"), BadValue);
+}
+
+#[test]
+fn an_input_is_no_number() {
+    assert_shown!(changed("\"GP2\"", "2"), BadValue);
+}
+
+#[test]
+fn a_duration_has_a_unit() {
+    assert_shown!(changed("5 ms", "5 msec"), BadDuration);
+}
+
+#[test]
+fn a_filter_lasts_a_second_at_most() {
+    assert_shown!(changed("5 ms", "1001 ms"), OutOfRange);
+}
+
+#[test]
+fn the_retain_area_has_two_halves_of_two_sectors() {
+    assert_shown!(changed("sectors = 4", "sectors = 2"), OutOfRange);
+    let (rules, _) = changed("sectors = 4", "sectors = 66");
+    assert_eq!(rules, [Rule::OutOfRange]);
+}
+
+#[test]
+fn the_retain_area_has_an_even_number_of_sectors() {
+    assert_shown!(changed("sectors = 4", "sectors = 5"), OutOfRange);
+}
+
+#[test]
+fn the_watchdog_bears_a_scan_and_an_erase() {
+    assert_shown!(changed("1 s", "400 ms"), OutOfRange);
+}
+
+#[test]
+fn the_watchdog_waits_no_longer_than_it_can() {
+    assert_shown!(changed("1 s", "9 s"), OutOfRange);
+}
+
+#[test]
+fn a_scan_is_shorter_than_the_watchdog_can_wait() {
+    let slow = PROGRAM.replace("application saw", "application saw\nscan 9 s");
+    let unset = GOOD.replace("[watchdog]\ntimeout = \"1 s\"\n", "");
+    assert_shown!(shown(&loaded_with(&slow, &unset)), OutOfRange);
+}
+
+#[test]
+fn the_watchdog_follows_a_slow_scan_by_itself() {
+    let slow = PROGRAM.replace("application saw", "application saw\nscan 2 s");
+    let unset = GOOD.replace("[watchdog]\ntimeout = \"1 s\"\n", "");
+    let (_, wiring) = loaded_with(&slow, &unset).image.unwrap();
+    assert_eq!(wiring.watchdog_ms, 2400);
+}
+
+#[test]
+fn a_program_that_is_not_there_is_missed() {
+    assert_shown!(changed("saw.grafcet", "graphs/saw.grafcet"), NoApplication);
+}
+
+#[test]
+fn an_unknown_board_is_told_its_nearest() {
+    assert_shown!(changed("\"pico\"", "\"picoo\""), UnknownBoard);
+}
+
+#[test]
+fn a_board_of_another_kind_is_told_what_there_is() {
+    assert_shown!(changed("\"pico\"", "\"esp32\""), UnknownBoard);
+}
+
+#[test]
+fn a_pin_is_called_as_on_the_board() {
+    assert_shown!(changed("\"GP2\"", "\"PIN_2\""), UnknownPin);
+}
+
+#[test]
+fn a_pin_that_the_board_needs_is_refused_with_the_reason() {
+    assert_shown!(changed("GP2", "GP23"), ReservedPin);
+}
+
+#[test]
+fn the_led_is_no_input() {
+    assert_shown!(changed("GP2", "GP25"), ReservedPin);
+    let (rules, text) = changed("GP16", "GP25");
+    assert_eq!(rules, [], "{text}");
+}
+
+#[test]
+fn a_pin_serves_one_address() {
+    assert_shown!(changed("GP16", "GP3"), PinUsedTwice);
+}
+
+#[test]
+fn a_key_has_to_be_an_address() {
+    assert_shown!(changed("\"%IX0.0\"", "\"start\""), BadAddress, NotWired);
+}
+
+#[test]
+fn two_spellings_of_an_address_are_one() {
+    assert_shown!(
+        changed("[outputs]", "\"%I0.1\" = \"GP4\"\n\n[outputs]"),
+        DuplicateAddress
+    );
+}
+
+#[test]
+fn a_key_twice_shows_both() {
+    assert_shown!(
+        changed("[outputs]", "\"%IX0.0\" = \"GP4\"\n\n[outputs]"),
+        Toml
+    );
+}
+
+#[test]
+fn an_output_is_no_input() {
+    assert_shown!(
+        changed("[outputs]", "\"%QX0.1\" = \"GP4\"\n\n[outputs]"),
+        AddressDirection
+    );
+}
+
+#[test]
+fn memory_is_on_no_pin() {
+    assert_shown!(
+        changed("[outputs]", "\"%MX0.1\" = \"GP4\"\n\n[outputs]"),
+        AddressDirection
+    );
+}
+
+#[test]
+fn an_address_that_the_program_does_not_use_is_refused() {
+    assert_shown!(
+        changed("[outputs]", "\"%IX0.2\" = \"GP4\"\n\n[outputs]"),
+        UnknownAddress
+    );
+}
+
+#[test]
+fn a_mistyped_address_is_told_which_was_meant() {
+    assert_shown!(changed("%IX0.1", "%IX1.0"), UnknownAddress, NotWired);
+}
+
+#[test]
+fn every_input_and_output_of_the_program_needs_a_pin() {
+    let unwired = loaded_with(
+        PROGRAM,
+        "application = \"saw.grafcet\"\nboard = \"pico\"\n[inputs]\n",
+    );
+    assert_shown!(shown(&unwired), NotWired, NotWired, NotWired);
+}
+
+#[test]
+fn a_number_is_on_no_pin_yet() {
+    let program = PROGRAM.replace("input  stop  at %IX0.1", "input  level : int at %IW0");
+    let program = program
+        .replace("AND NOT stop", "AND level < 5")
+        .replace("when stop", "when level > 5");
+    let plc = GOOD.replace("%IX0.1", "%IW0");
+    assert_shown!(shown(&loaded_with(&program, &plc)), NumberAtPin);
+}
+
+#[test]
+fn more_retained_values_than_a_record_takes_are_refused() {
+    let names = (0..450).map(|index| format!("parameter P{index} : int = 1\n"));
+    let reads = (0..450)
+        .map(|index| format!("P{index} > 5"))
+        .collect::<Vec<_>>();
+    let program = PROGRAM.replace("\ngraph", &format!("{}\ngraph", names.collect::<String>()));
+    let program = program.replace("when stop", &format!("when stop OR {}", reads.join(" OR ")));
+    assert_shown!(shown(&loaded_with(&program, GOOD)), RetainTooBig);
+}
+
+#[test]
+fn an_address_needs_its_quotes() {
+    assert_shown!(changed("\"%IX0.0\"", "%IX0.0"), Toml);
+}
+
+#[test]
+fn what_is_no_toml_is_told_once_a_line() {
+    assert_shown!(changed("board = \"pico\"", "board = pico"), Toml);
+}
+
+#[test]
+fn a_value_in_place_of_a_table_is_refused() {
+    assert_shown!(
+        shown(&loaded_with(
+            PROGRAM,
+            &format!("watchdog = 5\n{}", GOOD.split("[watchdog]").next().unwrap())
+        )),
+        BadValue
+    );
+}
+
+#[test]
+fn everything_wrong_is_told_in_one_run() {
+    let plc = r#"application = "saw.grafcet"
+board = "pico"
+colour = "grey"
+
+[inputs]
+"%IX0.0" = { pin = "GP99", filter = "soon" }
+"%IX0.1" = { pin = "GP3", active = "up" }
+"%IX0.2" = "GP3"
+
+[retain]
+sectors = 100
+"#;
+    assert_shown!(
+        shown(&loaded_with(PROGRAM, plc)),
+        UnknownKey,
+        BadDuration,
+        BadValue,
+        OutOfRange,
+        UnknownPin,
+        PinUsedTwice,
+        UnknownAddress,
+        NotWired,
+    );
+}
+
+#[test]
+fn a_program_with_errors_does_not_hide_those_of_the_wiring() {
+    let program = PROGRAM.replace("when stop", "when stopp");
+    let loaded = loaded_with(&program, &GOOD.replace("GP2", "GP32"));
+    let text = loaded.errors();
+    assert!(text.contains("error[unknown-pin]"), "{text}");
+    assert!(text.contains("error[unknown-name]"), "{text}");
+    assert!(loaded.image.is_none());
+}
