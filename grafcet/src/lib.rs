@@ -17,7 +17,7 @@ pub mod memory;
 pub mod player;
 pub mod report;
 pub mod simulation;
-//pub mod source;
+pub mod source;
 pub mod stimulus;
 pub mod symbols;
 pub mod table;

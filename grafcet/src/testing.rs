@@ -37,7 +37,7 @@ pub struct Failure {
 }
 
 /// The kinds of claim.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Claimed {
     /// `expect`.
     Expect,

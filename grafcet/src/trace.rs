@@ -81,8 +81,7 @@ impl<'a, W: io::Write> Writer<'a, W> {
     pub fn new(unit: &'a Unit, to: W) -> io::Result<Self> {
         let columns = Columns::of(unit);
         let mut csv = csv::Writer::from_writer(to);
-        csv.write_record(columns.header())
-            .map_err(io::Error::from)?;
+        csv.write_record(columns.header()).map_err(into_io)?;
         Ok(Writer { columns, csv })
     }
 
@@ -92,7 +91,7 @@ impl<'a, W: io::Write> Writer<'a, W> {
     /// When it cannot be written.
     pub fn scan(&mut self, time_ms: u64, images: Images<'_>) -> io::Result<()> {
         let row = self.columns.row(time_ms, images);
-        self.csv.write_record(row).map_err(io::Error::from)
+        self.csv.write_record(row).map_err(into_io)
     }
 
     /// Ends the trace.
@@ -101,6 +100,14 @@ impl<'a, W: io::Write> Writer<'a, W> {
     /// When the last of it cannot be written.
     pub fn finish(mut self) -> io::Result<()> {
         self.csv.flush()
+    }
+}
+
+/// The error that the stream behind the CSV gave, with its kind.
+fn into_io(error: csv::Error) -> io::Error {
+    match error.into_kind() {
+        csv::ErrorKind::Io(error) => error,
+        other => io::Error::other(format!("{other:?}")),
     }
 }
 

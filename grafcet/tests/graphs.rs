@@ -1,0 +1,94 @@
+//! Every test of every `.grafcet` file under `graphs/`, each under its own name.
+
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+use std::sync::Arc;
+use std::{fs, io};
+
+use grafcet::testing;
+use grafcet_compiler::render::{Style, render};
+use grafcet_compiler::{Compilation, Target};
+use libtest_mimic::{Arguments, Failed, Trial};
+
+fn main() -> ExitCode {
+    let arguments = Arguments::from_args();
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../graphs");
+    let trials = programs(&root)
+        .and_then(|paths| {
+            let trials: io::Result<Vec<Vec<Trial>>> =
+                paths.iter().map(|path| trials(&root, path)).collect();
+            trials
+        })
+        .map(|trials| trials.into_iter().flatten().collect());
+    match trials {
+        Ok(trials) => libtest_mimic::run(&arguments, trials).exit_code(),
+        Err(error) => {
+            eprintln!("{}: {error}", root.display());
+            ExitCode::FAILURE
+        }
+    }
+}
+
+/// All programs below a directory, in a fixed order.
+fn programs(directory: &Path) -> io::Result<Vec<PathBuf>> {
+    let mut programs = Vec::new();
+    let mut entries: Vec<PathBuf> = fs::read_dir(directory)?
+        .map(|entry| entry.map(|entry| entry.path()))
+        .collect::<io::Result<_>>()?;
+    entries.sort();
+    for path in entries {
+        if path.is_dir() {
+            programs.extend(self::programs(&path)?);
+        } else if path.extension().is_some_and(|end| end == "grafcet") {
+            programs.push(path);
+        }
+    }
+    Ok(programs)
+}
+
+/// One trial that the program is accepted without a warning, and one for each of its tests.
+fn trials(root: &Path, path: &Path) -> io::Result<Vec<Trial>> {
+    let name = path
+        .strip_prefix(root)
+        .unwrap_or(path)
+        .display()
+        .to_string();
+    let compilation = Arc::new(grafcet::source::compile(path, Target::Host)?);
+    let checked = Arc::clone(&compilation);
+    let mut trials = vec![Trial::test(format!("{name}: accepted"), move || {
+        accepted(&checked)
+    })];
+    let tests = compilation.application.iter().flat_map(|a| &a.tests);
+    for (index, test) in tests.enumerate() {
+        let compilation = Arc::clone(&compilation);
+        trials.push(Trial::test(format!("{name}: {}", test.name), move || {
+            run(&compilation, index)
+        }));
+    }
+    Ok(trials)
+}
+
+fn accepted(compilation: &Compilation) -> Result<(), Failed> {
+    if compilation.diagnostics.is_empty() && compilation.application.is_some() {
+        return Ok(());
+    }
+    Err(render(
+        &compilation.diagnostics,
+        &compilation.sources,
+        Style::default(),
+    )
+    .into())
+}
+
+fn run(compilation: &Compilation, index: usize) -> Result<(), Failed> {
+    let application = compilation.application.as_ref().ok_or("refused")?;
+    let test = application.tests.get(index).ok_or("no such test")?;
+    testing::run(application, test, |_, _| {}).map_err(|failure| {
+        let place = render(
+            &[failure.diagnostic()],
+            &compilation.sources,
+            Style::default(),
+        );
+        format!("{place}{}", failure.details()).into()
+    })
+}
