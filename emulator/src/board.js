@@ -4,7 +4,7 @@
 import { buildBootRom, serveRom } from './bootrom.js';
 import { Chip } from './chip.js';
 import { Clock } from './clock.js';
-import { Fault } from './fault.js';
+import { Fault, UsageError } from './fault.js';
 import { FLASH_BASE, FLASH_SECTOR, SRAM_BASE, SRAM_SIZE } from './map.js';
 import { Pins } from './pins.js';
 import { Random } from './random.js';
@@ -70,14 +70,15 @@ export class Board {
    * @param {number} options.seed of everything that is random on a real board
    * @param {boolean} options.strict whether touching flash while it is not mapped is a crash
    * @param {number} options.timerStartUs what the system timer counts from
+   * @param {{eraseMs?: number, programMs?: number}} options.flashTimes
    * @param {BoardEvents} events
    */
-  constructor({ seed, strict, timerStartUs }, events) {
+  constructor({ seed, strict, timerStartUs, flashTimes }, events) {
     this.#events = events;
     this.#random = new Random(seed);
     this.#strict = strict;
     this.#timerStartUs = timerStartUs;
-    this.flash = new W25q(this.clock, { seed });
+    this.flash = new W25q(this.clock, { ...flashTimes, seed });
     this.pins = new Pins(this.clock, (edge) => {
       this.clock.stop();
       events.onEdge(edge);
@@ -175,7 +176,10 @@ export class Board {
 
   /** @returns {Uint8Array} a copy from SRAM or flash; fewer bytes where that ends */
   readBytes(address, length) {
-    if (address >= SRAM_BASE) return this.chip.sram.slice(address - SRAM_BASE, address - SRAM_BASE + length);
+    if (address >= SRAM_BASE) {
+      if (!this.chip) throw new UsageError('power has never been on: memory holds nothing yet');
+      return this.chip.sram.slice(address - SRAM_BASE, address - SRAM_BASE + length);
+    }
     return this.flash.bytes.slice(address - FLASH_BASE, address - FLASH_BASE + length);
   }
 

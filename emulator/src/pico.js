@@ -48,14 +48,16 @@ export class Pico {
    * @param {boolean | number[]} [options.recordEdges] keep edges of all pins (default), none, or these
    * @param {number} [options.timerStartUs] what the system timer counts from after each reset; 0 on
    *   silicon, more to see it roll over soon
+   * @param {{eraseMs?: number, programMs?: number}} [options.flashTimes] how long erasing a sector and
+   *   programming a page take; by default the typical 45 and 0.4, at most 400 and 3 by the data sheet
    * @param {boolean} [options.powered] whether power is on at once; default true
    */
   constructor(elfPath, options = {}) {
     const { flash, inputs = {}, seed = 1, strict = true, recordEdges = true } = options;
-    const { timerStartUs = 0, powered = true } = options;
+    const { timerStartUs = 0, flashTimes = {}, powered = true } = options;
     this.#recorded = Array.isArray(recordEdges) ? new Set(recordEdges) : recordEdges;
     this.#board = new Board(
-      { seed, strict, timerStartUs },
+      { seed, strict, timerStartUs, flashTimes },
       {
         onEdge: (edge) => this.#onEdge(edge),
         onUartByte: (n, byte) => this.uart[n].deliver(byte, this.timeNs),
@@ -63,7 +65,7 @@ export class Pico {
       },
     );
     this.#cuts = new PowerCuts(this.#board, seed);
-    this.uart = [0, 1].map((n) => new Uart((byte) => this.#board.chip.uart[n].feedByte(byte)));
+    this.uart = [0, 1].map((n) => new Uart((byte) => this.#feed(n, byte)));
     if (flash) this.#board.flash.bytes.set(flashContents(flash));
     for (const [pin, level] of Object.entries(inputs)) this.setInput(Number(pin), level);
     if (elfPath) this.#load(elfPath);
@@ -363,6 +365,11 @@ export class Pico {
   #onFrame(frame) {
     this.#log.add(this.#elf.path, frame, this.timeNs, this.boots.length - 1);
     this.#board.clock.stop();
+  }
+
+  /** What is sent to a chip without power is lost. */
+  #feed(uart, byte) {
+    if (this.powered) this.#board.chip.uart[uart].feedByte(byte);
   }
 
   #onEdge(edge) {

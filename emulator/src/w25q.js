@@ -8,13 +8,15 @@
 import { FLASH_PAGE, FLASH_SECTOR, FLASH_SIZE } from './map.js';
 import { Random } from './random.js';
 
-/** Typical times of the data sheet, in nanoseconds (section 9.6). */
-const ERASE_NS = new Map([
-  [4096, 45e6],
-  [32768, 120e6],
-  [65536, 150e6],
+/** Typical times of the data sheet, in milliseconds (section 9.6); at most 400 and 3. */
+const ERASE_MS = 45;
+const PROGRAM_MS = 0.4;
+/** How much longer the larger erases take than that of a sector. */
+const ERASE_FACTORS = new Map([
+  [4096, 1],
+  [32768, 120 / 45],
+  [65536, 150 / 45],
 ]);
-const PROGRAM_NS = 0.4e6;
 const WRITE_STATUS_NS = 10e6;
 const ERASE_COMMANDS = new Map([
   [0x20, 4096],
@@ -59,6 +61,8 @@ export class W25q {
   uniqueId = [0xe6, 0x60, 0x58, 0x38, 0x83, 0x4b, 0x2f, 0x31];
   #clock;
   #random;
+  #eraseNs;
+  #programNs;
   #status1 = 0;
   #status2 = QUAD_ENABLED; // set in the factory of the board, kept without power
   #busyUntil = 0;
@@ -70,10 +74,15 @@ export class W25q {
 
   /**
    * @param {{nanos: number}} clock
-   * @param {{seed?: number}} [options] `seed` decides what a power cut leaves behind
+   * @param {object} [options]
+   * @param {number} [options.seed] decides what a power cut leaves behind
+   * @param {number} [options.eraseMs] how long erasing a sector takes
+   * @param {number} [options.programMs] how long programming a page takes
    */
-  constructor(clock, { seed = 1 } = {}) {
+  constructor(clock, { seed = 1, eraseMs = ERASE_MS, programMs = PROGRAM_MS } = {}) {
     this.#clock = clock;
+    this.#eraseNs = Math.round(eraseMs * 1e6);
+    this.#programNs = Math.round(programMs * 1e6);
     this.#random = new Random(seed);
     this.bytes = new Uint8Array(FLASH_SIZE).fill(0xff);
   }
@@ -95,7 +104,8 @@ export class W25q {
    */
   erase(address, length = FLASH_SECTOR) {
     const start = (address % FLASH_SIZE) & ~(length - 1);
-    const operation = this.#begin('erase', start, length, ERASE_NS.get(length));
+    const duration = Math.round(this.#eraseNs * ERASE_FACTORS.get(length));
+    const operation = this.#begin('erase', start, length, duration);
     if (!operation) return null;
     this.bytes.fill(0xff, start, start + length);
     this.erases++;
@@ -112,7 +122,7 @@ export class W25q {
   program(address, data) {
     const kept = data.slice(-FLASH_PAGE);
     const start = inPage(address % FLASH_SIZE, data.length - kept.length);
-    const operation = this.#begin('program', start, kept.length, PROGRAM_NS, kept);
+    const operation = this.#begin('program', start, kept.length, this.#programNs, kept);
     if (!operation) return null;
     operation.data.forEach((wanted, i) => {
       const at = inPage(operation.address, i);

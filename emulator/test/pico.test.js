@@ -168,6 +168,18 @@ test('the flash can be kept in a file', (t) => {
   assert.equal(second.halted, null);
 });
 
+test('a board that has had no power yet does nothing and holds nothing', (t) => {
+  const pico = new Pico(image(t, blink()), { powered: false });
+  pico.uart[0].send('lost');
+  pico.runFor(10);
+  assert.deepEqual([pico.boots, pico.edges], [[], []]);
+  assert.throws(() => pico.read32(SRAM), /power has never been on/);
+  pico.powerOn();
+  pico.runFor(10);
+  assert.equal(pico.boots[0].timeNs, 10 * MS);
+  assert.equal(pico.level(25), 1);
+});
+
 test('what is nonsense is refused with a sentence', (t) => {
   assert.throws(() => new Pico(null), /neither an image nor/);
   assert.throws(() => new Pico(null, { flash: new Uint8Array(3 * 1024 * 1024) }), /do not fit/);

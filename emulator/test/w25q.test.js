@@ -54,6 +54,13 @@ test('erasing a sector takes 45 ms, sets its bits, counts its wear and leaves it
   assert.deepEqual([flash.erases, flash.wear[1], flash.wear[2], flash.wear[3]], [1, 0, 1, 0]);
 });
 
+test('a flash can be as slow as its data sheet allows', () => {
+  const { clock } = new FakeChip();
+  const flash = new W25q(clock, { eraseMs: 400, programMs: 3 });
+  assert.equal(flash.erase(0).endNs, 400 * MS);
+  assert.equal(flash.program(0, Uint8Array.of(0)).endNs, 3 * MS);
+});
+
 test('programming takes 0.4 ms and wraps within its page', () => {
   const { flash, chip } = setUp();
   flash.program(0x10fe, Uint8Array.of(1, 2, 3));
