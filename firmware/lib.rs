@@ -29,6 +29,12 @@
 
 /// The program and its wiring, as the build read them.
 pub mod application {
+    #[cfg(not(target_os = "none"))]
+    use crate::boards::host::script;
+    #[cfg(not(target_os = "none"))]
+    use crate::boards::host::site::PlantTables;
+    #[cfg(not(target_os = "none"))]
+    use crate::wiring::Label;
     use crate::wiring::{InputWire, OutputWire};
 
     include!(concat!(env!("OUT_DIR"), "/application.rs"));

@@ -9,4 +9,6 @@ async fn main(_spawner: embassy_executor::Spawner) {
 }
 
 #[cfg(not(target_os = "none"))]
-fn main() {}
+fn main() -> std::process::ExitCode {
+    plc::boards::host::command::run()
+}

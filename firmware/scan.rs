@@ -1,7 +1,5 @@
 //! The scan task: sample, scan, write, at every release.
 
-use core::future::Future;
-
 use embassy_sync::blocking_mutex::raw::CriticalSectionRawMutex;
 use embassy_sync::signal::Signal;
 use embassy_time::{Duration, Instant};
@@ -17,12 +15,12 @@ use crate::schedule::{Schedule, Served};
 /// has not been fetched, so that the scan never waits for the flash.
 pub type Changes<const R: usize> = Signal<CriticalSectionRawMutex, [i32; R]>;
 
-/// What a board does around each scan.
+/// What is special to a board in a scan.
 pub trait Board {
-    /// Before the inputs are sampled. On a host, plants move here; when their power is lost, the future never ends.
-    fn begin(&mut self, engine: &Engine<'_, '_>) -> impl Future<Output = ()>;
+    /// How far behind its release a scan may start without being counted as late.
+    const LATE_AFTER: Duration;
 
-    /// After the outputs have been written. Nothing else feeds a watchdog.
+    /// A scan has been completed, its outputs written and its changes handed on. Nothing else feeds a watchdog.
     fn complete(&mut self, engine: &Engine<'_, '_>);
 }
 
@@ -51,8 +49,8 @@ where
     /// Runs the program for as long as there is power.
     pub async fn run(mut self) -> ! {
         let mut retained = snapshot(&self.engine);
-        let mut schedule = Schedule::new(Instant::now(), self.engine.program().period_ms);
-        self.board.begin(&self.engine).await;
+        let period_ms = self.engine.program().period_ms;
+        let mut schedule = Schedule::new(Instant::now(), period_ms, B::LATE_AFTER);
         self.inputs.read(&mut self.engine);
         self.engine.start();
         self.finish(&mut retained);
@@ -62,7 +60,6 @@ where
             let served = schedule.serve(Instant::now());
             log_served(&served, &schedule);
             self.engine.set_overruns(schedule.faults().overruns);
-            self.board.begin(&self.engine).await;
             self.inputs.read(&mut self.engine);
             self.engine.scan(served.time_ms);
             self.finish(&mut retained);
@@ -73,13 +70,13 @@ where
     /// All that follows the program's part of a scan.
     fn finish(&mut self, retained: &mut [i32; R]) {
         self.outputs.write(&self.engine);
-        self.board.complete(&self.engine);
         let values = snapshot(&self.engine);
         if values != *retained {
             *retained = values;
             self.changes.signal(values);
         }
         self.observer.observe(&self.engine);
+        self.board.complete(&self.engine);
     }
 }
 

@@ -6,16 +6,12 @@
 
 use embassy_time::{Duration, Instant};
 
-/// How far behind its release a scan may start without being counted as late.
-///
-/// On the RP2040 the longest harmless cause is a page of flash being programmed, 0.4 ms of it at a time.
-pub const LATE_AFTER: Duration = Duration::from_millis(1);
-
 /// The releases of the scan.
 #[derive(Clone, Debug)]
 pub struct Schedule {
     period_ms: u32,
     period: Duration,
+    late_after: Duration,
     release: Instant,
     time_ms: u64,
     faults: Faults,
@@ -24,7 +20,7 @@ pub struct Schedule {
 /// What went wrong with the times of the scans since scan 0. Counts stay at their end when they reach it.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Faults {
-    /// Scans that started more than [`LATE_AFTER`] behind the release that they served.
+    /// Scans that started further than the tolerance behind the release that they served.
     pub late: u32,
     /// Times that releases went unserved, because a scan ended behind the next release or could not start before it:
     /// `System:overruns`.
@@ -43,14 +39,16 @@ pub struct Served {
 }
 
 impl Schedule {
-    /// The releases behind a scan 0 that is released at `start`; a period of 0 counts as 1 ms.
+    /// The releases behind a scan 0 that is released at `start`; a period of 0 counts as 1 ms. A scan that starts
+    /// further than `late_after` behind its release is late.
     #[must_use]
-    pub fn new(start: Instant, period_ms: u32) -> Self {
+    pub fn new(start: Instant, period_ms: u32, late_after: Duration) -> Self {
         let period_ms = period_ms.max(1);
         let period = Duration::from_millis(u64::from(period_ms));
         Schedule {
             period_ms,
             period,
+            late_after,
             release: start + period,
             time_ms: u64::from(period_ms),
             faults: Faults::default(),
@@ -75,7 +73,7 @@ impl Schedule {
             now.saturating_duration_since(self.release).as_ticks() / self.period.as_ticks();
         self.skip(missed);
         let behind = now.saturating_duration_since(self.release);
-        let late_by = (behind > LATE_AFTER).then_some(behind);
+        let late_by = (behind > self.late_after).then_some(behind);
         if late_by.is_some() {
             self.faults.late = self.faults.late.saturating_add(1);
         }

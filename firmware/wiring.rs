@@ -4,6 +4,15 @@
 
 use grafcet_core::program::Bit;
 
+/// What people call a terminal; kept for hosts only.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Label {
+    /// The variable of the program.
+    pub name: &'static str,
+    /// The pin of the board.
+    pub pin: &'static str,
+}
+
 /// An input of the program and the pin that it reads.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct InputWire {

@@ -1,17 +1,18 @@
 //! Releases are at fixed times; what is late or missed is counted and never made up for.
 
 use embassy_time::{Duration, Instant};
-use plc::schedule::{Faults, LATE_AFTER, Schedule};
+use plc::schedule::{Faults, Schedule};
 use proptest::prelude::*;
 
 const PERIOD_MS: u32 = 10;
+const LATE_AFTER: Duration = Duration::from_millis(1);
 
 fn at(us: u64) -> Instant {
     Instant::from_micros(us)
 }
 
 fn schedule() -> Schedule {
-    Schedule::new(at(5_000), PERIOD_MS)
+    Schedule::new(at(5_000), PERIOD_MS, LATE_AFTER)
 }
 
 #[test]
@@ -94,7 +95,7 @@ proptest! {
         scans in proptest::collection::vec((0..80_000_u64, 0..80_000_u64), 1..50),
     ) {
         let start = at(123_456);
-        let mut schedule = Schedule::new(start, period_ms);
+        let mut schedule = Schedule::new(start, period_ms, LATE_AFTER);
         let (mut last, mut gaps) = (0, 0);
         for (delay, duration) in scans {
             let now = schedule.release() + Duration::from_micros(delay);

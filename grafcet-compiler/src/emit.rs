@@ -3,11 +3,13 @@
 //! The generated items name their types by `grafcet_core::program::*` and stand in a module of their own. Beside
 //! the tables stand assertions about them, so that a table which breaks its promise does not build.
 
+mod demonstration;
 mod rows;
 
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
+pub use self::demonstration::demonstration;
 use self::rows::Row;
 use crate::application::{Application, Plant, Symbols, Tables, Wire};
 

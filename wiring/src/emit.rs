@@ -3,9 +3,12 @@
 //! `InputWire` and `OutputWire` are types of the image; the generated items name them as the including module knows
 //! them.
 
+use grafcet_compiler::application::Application;
+use grafcet_core::program::Slot;
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::quote;
 
+use crate::board::Pin;
 use crate::check::{Connection, Wiring};
 use crate::file::{Active, InputEntry, OutputEntry, Pull};
 
@@ -36,6 +39,37 @@ pub fn tables(wiring: &Wiring) -> TokenStream {
 
         /// After so many ms without a completed scan the watchdog resets the board.
         pub const WATCHDOG_MS: u32 = #watchdog_ms;
+    }
+}
+
+/// `INPUT_LABELS` and `OUTPUT_LABELS`: what people call the terminals, for an image that runs on a host.
+#[must_use]
+pub fn labels(wiring: &Wiring, application: &Application) -> TokenStream {
+    let variables = &application.controller.symbols.variables;
+    let name = |bit| {
+        let variable = variables.iter().find(|it| it.slot == Slot::Bit(bit));
+        variable.map_or("", |variable| variable.name.as_str())
+    };
+    let label = |bit, pin: &Pin| {
+        let (name, pin) = (name(bit), pin.name);
+        quote!(Label { name: #name, pin: #pin })
+    };
+    let inputs = wiring
+        .inputs
+        .iter()
+        .map(|input| label(input.bit, input.pin));
+    let outputs = wiring
+        .outputs
+        .iter()
+        .map(|output| label(output.bit, output.pin));
+    let counts = [wiring.inputs.len(), wiring.outputs.len()].map(Literal::usize_unsuffixed);
+    let [input_count, output_count] = counts;
+    quote! {
+        /// What the inputs are called, in the order of their pins.
+        pub static INPUT_LABELS: [Label; #input_count] = [#(#inputs),*];
+
+        /// What the outputs are called, in the order of their pins.
+        pub static OUTPUT_LABELS: [Label; #output_count] = [#(#outputs),*];
     }
 }
 

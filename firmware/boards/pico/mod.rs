@@ -120,11 +120,15 @@ struct Pico {
 }
 
 impl Board for Pico {
-    async fn begin(&mut self, _engine: &Engine<'_, '_>) {}
+    /// The longest cause that is no fault is a page of flash being programmed, 0.4 ms at a time.
+    const LATE_AFTER: Duration = Duration::from_millis(1);
 
     fn complete(&mut self, _engine: &Engine<'_, '_>) {
         self.watchdog.feed(SCAN_WATCHDOG);
         // One writer: no compare-and-swap is needed, and a Cortex-M0+ has none.
-        SCANS.store(SCANS.load(Ordering::Relaxed).wrapping_add(1), Ordering::Relaxed);
+        SCANS.store(
+            SCANS.load(Ordering::Relaxed).wrapping_add(1),
+            Ordering::Relaxed,
+        );
     }
 }

@@ -49,7 +49,9 @@ fn memory_kept() -> bool {
     // find was written by the image that ran before the reset.
     unsafe {
         let kept = addr_of!(MEMORY).cast::<[u32; 4]>().read_volatile() == REMEMBERED;
-        addr_of_mut!(MEMORY).cast::<[u32; 4]>().write_volatile(REMEMBERED);
+        addr_of_mut!(MEMORY)
+            .cast::<[u32; 4]>()
+            .write_volatile(REMEMBERED);
         kept
     }
 }

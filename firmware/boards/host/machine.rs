@@ -1,0 +1,83 @@
+//! The machine in front of a controller: the site with its plants, and the script that is played on it.
+//!
+//! It moves once for each scan of the controller, in the soft PLC or on a board: just after it, so that the next scan
+//! finds everything as the plants left it, and input filters have had the period to see it.
+
+use super::script::{Next, Outcome, Player, Script};
+use super::site::{PlantTables, Site, View};
+use crate::wiring::{InputWire, OutputWire};
+
+/// Plants and script.
+pub struct Machine {
+    site: Site,
+    player: Option<Player>,
+    period_ms: u32,
+}
+
+/// What a machine is made of.
+#[derive(Clone, Copy, Debug)]
+pub struct Parts {
+    /// Scan period of the controller, in ms.
+    pub period_ms: u32,
+    /// Its inputs.
+    pub inputs: &'static [InputWire],
+    /// Its outputs.
+    pub outputs: &'static [OutputWire],
+    /// All plants of the application.
+    pub plants: &'static [PlantTables],
+    /// What is played; without it all plants run, and nothing else happens.
+    pub script: Option<&'static Script>,
+}
+
+impl Machine {
+    /// A machine at rest.
+    #[must_use]
+    pub fn new(parts: Parts) -> Self {
+        let chosen = |(index, _): &(usize, &PlantTables)| {
+            parts
+                .script
+                .is_none_or(|script| script.plants.contains(index))
+        };
+        let plants = parts.plants.iter().enumerate().filter(chosen);
+        let period_ms = parts.period_ms.max(1);
+        Machine {
+            site: Site::new(plants, parts.inputs, parts.outputs),
+            player: parts.script.map(|script| Player::new(script, period_ms)),
+            period_ms,
+        }
+    }
+
+    /// Moves the machine before the controller's scan 0, when `view` is none, or after a scan of it. `outputs` is what
+    /// stands at the controller's output terminals, in the order of its wires.
+    pub fn step(&mut self, outputs: &[bool], view: Option<&View<'_>>) -> Next {
+        let next = match &mut self.player {
+            Some(player) => player.advance(&mut self.site, view),
+            None => Next::Scan,
+        };
+        if next == Next::Scan {
+            self.site.scan(self.period_ms, outputs, view);
+        }
+        next
+    }
+
+    /// What stands at the controller's inputs, in the order of its wires.
+    pub fn inputs(&self) -> impl Iterator<Item = bool> {
+        self.site.inputs()
+    }
+
+    /// What the script has said since it was last asked.
+    pub fn take_said(&mut self) -> Vec<&'static str> {
+        self.player
+            .as_mut()
+            .map(Player::take_said)
+            .unwrap_or_default()
+    }
+}
+
+impl Outcome {
+    /// Whether everything was as claimed.
+    #[must_use]
+    pub const fn held(self) -> bool {
+        matches!(self, Outcome::Held)
+    }
+}

@@ -1,0 +1,42 @@
+//! Pins that are not there: levels between a controller and the machine on the same host.
+
+use std::cell::Cell;
+use std::convert::Infallible;
+
+use embedded_hal::digital::{ErrorType, InputPin, OutputPin};
+
+/// An input pin. Whoever has the cell sets its level.
+pub struct Input<'a>(pub &'a Cell<bool>);
+
+/// An output pin. Whoever has the cell reads its level.
+pub struct Output<'a>(pub &'a Cell<bool>);
+
+impl ErrorType for Input<'_> {
+    type Error = Infallible;
+}
+
+impl InputPin for Input<'_> {
+    fn is_high(&mut self) -> Result<bool, Infallible> {
+        Ok(self.0.get())
+    }
+
+    fn is_low(&mut self) -> Result<bool, Infallible> {
+        Ok(!self.0.get())
+    }
+}
+
+impl ErrorType for Output<'_> {
+    type Error = Infallible;
+}
+
+impl OutputPin for Output<'_> {
+    fn set_low(&mut self) -> Result<(), Infallible> {
+        self.0.set(false);
+        Ok(())
+    }
+
+    fn set_high(&mut self) -> Result<(), Infallible> {
+        self.0.set(true);
+        Ok(())
+    }
+}

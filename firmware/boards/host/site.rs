@@ -1,0 +1,215 @@
+//! The site around a controller: plants, and the terminals between them and it (`semantics.md`, "Plants").
+
+use grafcet_core::engine::Engine;
+use grafcet_core::memory::{Memory, Standing};
+use grafcet_core::program::{Program, Slot};
+
+use super::script::Place;
+use crate::wiring::{InputWire, OutputWire};
+
+/// A plant, as the build lowered it.
+#[derive(Debug)]
+pub struct PlantTables {
+    /// The name.
+    pub name: &'static str,
+    /// The program.
+    pub program: Program<'static>,
+    /// From the controller's images to the plant's inputs.
+    pub reads: &'static [(Slot, Slot)],
+    /// From the plant's outputs to the controller's inputs.
+    pub writes: &'static [(Slot, Slot)],
+}
+
+/// The controller's images as a scan left them.
+#[derive(Clone, Copy, Debug)]
+pub struct View<'a> {
+    /// The Booleans.
+    pub image: &'a [u32],
+    /// The numbers.
+    pub numbers: &'a [i32],
+}
+
+impl View<'_> {
+    /// The value at a slot, False as 0 and True as 1; 0 where the images hold nothing.
+    #[must_use]
+    pub fn value(&self, slot: Slot) -> i32 {
+        match slot {
+            Slot::Bit(bit) => {
+                let word = self.image.get(bit.word()).copied().unwrap_or(0);
+                i32::from(word & bit.mask() != 0)
+            }
+            Slot::Number(number) => self
+                .numbers
+                .get(usize::from(number.0))
+                .copied()
+                .unwrap_or(0),
+        }
+    }
+}
+
+/// Plants and terminals.
+pub struct Site {
+    plants: Vec<Plant>,
+    inputs: Vec<Terminal>,
+    outputs: &'static [OutputWire],
+    /// Scans of the plants since the beginning; they live through power cycles.
+    scans: u64,
+}
+
+struct Plant {
+    index: usize,
+    tables: &'static PlantTables,
+    engine: Engine<'static, 'static>,
+}
+
+/// The terminal of one of the controller's inputs.
+struct Terminal {
+    slot: Slot,
+    /// What stands at it.
+    value: bool,
+    /// What the controller's last scan saw.
+    seen: i32,
+    /// Set by the script, and not given back.
+    overridden: bool,
+}
+
+impl Site {
+    /// A site of these plants, with their indices, at rest. Their memory is never given back: a site lasts as long as
+    /// the process.
+    pub fn new(
+        plants: impl Iterator<Item = (usize, &'static PlantTables)>,
+        inputs: &'static [InputWire],
+        outputs: &'static [OutputWire],
+    ) -> Self {
+        let plants = plants.map(|(index, tables)| Plant {
+            index,
+            tables,
+            engine: new_engine(&tables.program),
+        });
+        let inputs = inputs.iter().map(|wire| Terminal {
+            slot: Slot::Bit(wire.bit),
+            value: false,
+            seen: 0,
+            overridden: false,
+        });
+        Site {
+            plants: plants.collect(),
+            inputs: inputs.collect(),
+            outputs,
+            scans: 0,
+        }
+    }
+
+    /// The values at the controller's inputs, in the order of its wires.
+    pub fn inputs(&self) -> impl Iterator<Item = bool> {
+        self.inputs.iter().map(|terminal| terminal.value)
+    }
+
+    /// A value of a plant; 0 for one that does not run.
+    #[must_use]
+    pub fn plant_value(&self, index: usize, slot: Slot) -> i32 {
+        let plant = self.plants.iter().find(|plant| plant.index == index);
+        plant.map_or(0, |plant| plant.engine.value(slot))
+    }
+
+    /// Sets an input, which then overrides the plants, or a variable of a plant. False when it is neither: nothing
+    /// else of a controller can be reached from outside.
+    pub fn set(&mut self, place: Place, value: i32) -> bool {
+        match place {
+            Place::Controller(slot) => {
+                let terminal = self.inputs.iter_mut().find(|it| it.slot == slot);
+                terminal.is_some_and(|terminal| {
+                    terminal.value = value != 0;
+                    terminal.overridden = true;
+                    true
+                })
+            }
+            Place::Plant(index, slot) => {
+                let plant = self.plants.iter_mut().find(|plant| plant.index == index);
+                plant.is_some_and(|plant| {
+                    plant.engine.set_parameter(slot, value);
+                    true
+                })
+            }
+        }
+    }
+
+    /// Gives an input back to the plant that writes it.
+    pub fn release(&mut self, place: Place) {
+        for terminal in &mut self.inputs {
+            terminal.overridden &= place != Place::Controller(terminal.slot);
+        }
+    }
+
+    /// One scan of every plant. All of them read before any of them writes. `outputs` is what stands at the
+    /// controller's outputs; `view` is none before its scan 0.
+    pub fn scan(&mut self, period_ms: u32, outputs: &[bool], view: Option<&View<'_>>) {
+        if let Some(view) = view {
+            for terminal in &mut self.inputs {
+                terminal.seen = view.value(terminal.slot);
+            }
+        }
+        let time_ms = self.scans.saturating_mul(u64::from(period_ms));
+        for plant in &mut self.plants {
+            for (from, to) in plant.tables.reads {
+                let input = self.inputs.iter().find(|terminal| terminal.slot == *from);
+                let output = self
+                    .outputs
+                    .iter()
+                    .position(|wire| Slot::Bit(wire.bit) == *from);
+                let value = match (input, output) {
+                    (Some(terminal), _) => terminal.seen,
+                    (None, Some(place)) => outputs.get(place).copied().map_or(0, i32::from),
+                    (None, None) => view.map_or(0, |view| view.value(*from)),
+                };
+                sample(&mut plant.engine, *to, value);
+            }
+            run(&mut plant.engine, time_ms);
+        }
+        for plant in &self.plants {
+            for (from, to) in plant.tables.writes {
+                let terminals = self.inputs.iter_mut();
+                for terminal in terminals.filter(|it| it.slot == *to && !it.overridden) {
+                    terminal.value = plant.engine.value(*from) != 0;
+                }
+            }
+        }
+        self.scans += 1;
+    }
+}
+
+/// An engine for a program of the host, which lasts as long as the process.
+pub(super) fn new_engine(program: &'static Program<'static>) -> Engine<'static, 'static> {
+    fn leak<T: Clone>(value: T, length: usize) -> &'static mut [T] {
+        vec![value; length].leak()
+    }
+    let layout = &program.layout;
+    let memory = Memory {
+        image: leak(0, usize::from(layout.words)),
+        numbers: leak(0, usize::from(layout.numbers)),
+        before: leak(0, layout.situation_words()),
+        before_scan: leak(0, layout.situation_words()),
+        fired: leak(0, usize::from(layout.fired)),
+        passed: leak(0, usize::from(layout.fired)),
+        stack: leak(0, usize::from(layout.stack)),
+        stamps: leak(0, usize::from(layout.stamps)),
+        standings: leak(Standing::FREE, program.graphs.len()),
+    };
+    Engine::new(program, memory)
+}
+
+/// Gives an input its sample for the next scan.
+pub(super) fn sample(engine: &mut Engine<'_, '_>, slot: Slot, value: i32) {
+    match slot {
+        Slot::Bit(bit) => engine.set_input(bit, value != 0),
+        Slot::Number(number) => engine.sample_number(number, value),
+    }
+}
+
+/// Runs scan 0 at time 0, or a later scan.
+pub(super) fn run(engine: &mut Engine<'_, '_>, time_ms: u64) {
+    match time_ms {
+        0 => engine.start(),
+        _ => engine.scan(time_ms),
+    }
+}

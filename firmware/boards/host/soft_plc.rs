@@ -1,0 +1,128 @@
+//! The controller on a host: powered, run against its machine, and powered again.
+
+use std::cell::RefCell;
+use std::future::poll_fn;
+use std::io;
+use std::path::Path;
+use std::task::Poll;
+
+use embassy_futures::join::join;
+use embassy_futures::select::select;
+use embassy_sync::blocking_mutex::raw::NoopRawMutex;
+use embassy_sync::signal::Signal;
+use embassy_time::{Duration, Timer};
+use grafcet_core::engine::Engine;
+
+use super::flash::FlashFile;
+use super::lines;
+use super::machine::Machine;
+use super::panel::Panel;
+use super::pins::{Input, Output};
+use super::script::{Next, Outcome};
+use super::site::View;
+use crate::application::{INPUTS, NAMES, OUTPUTS, PROGRAM, RETAIN, Storage};
+use crate::boot::{Cause, boot};
+use crate::input::Inputs;
+use crate::log::Observer;
+use crate::output::Outputs;
+use crate::retain::Store;
+use crate::scan::{Board, Changes, Controller, snapshot};
+use crate::store::keep;
+
+/// How long power stays away in a power cycle.
+const POWER_OFF: Duration = Duration::from_secs(1);
+
+const RETAINED: usize = PROGRAM.retained.len();
+
+/// Runs the controller against its machine until the script ends, and keeps what it retains in that file.
+///
+/// # Errors
+/// When the file can neither be read nor made.
+pub async fn run(machine: Machine, retain: &Path) -> io::Result<Outcome> {
+    let machine = RefCell::new(machine);
+    let panel = Panel::default();
+    let moved = Signal::new();
+    loop {
+        panel.make_safe();
+        let board = SoftPlc {
+            machine: &machine,
+            panel: &panel,
+            moved: &moved,
+        };
+        board.step(None);
+        if !moved.signaled() {
+            power_on(board, retain).await?;
+        }
+        if let Next::End(outcome) = moved.wait().await {
+            return Ok(outcome);
+        }
+        Timer::after(POWER_OFF).await;
+    }
+}
+
+/// Runs the controller from power-on until the machine asks for something else than a scan.
+async fn power_on(board: SoftPlc<'_>, retain: &Path) -> io::Result<()> {
+    let (panel, moved) = (board.panel, board.moved);
+    let mut storage = Storage::new();
+    let mut engine = Engine::new(&PROGRAM, storage.memory());
+    let mut store = Store::new(FlashFile::open(retain, RETAIN)?, RETAIN);
+    boot(&mut engine, &NAMES, &mut store, Cause::PowerOn).await;
+    let stored: [i32; RETAINED] = snapshot(&engine);
+    let changes = Changes::new();
+    let controller = Controller {
+        engine,
+        inputs: Inputs::new(panel.inputs.each_ref().map(Input), &INPUTS),
+        outputs: Outputs::new(panel.outputs.each_ref().map(Output), &OUTPUTS),
+        board,
+        changes: &changes,
+        observer: Observer::new(&NAMES),
+    };
+    let keep = keep(&mut store, &PROGRAM, &changes, stored);
+    let asked = poll_fn(|_| {
+        if moved.signaled() {
+            Poll::Ready(())
+        } else {
+            Poll::Pending
+        }
+    });
+    // Nothing is cut short when the tasks are dropped: a write to the file happens within one poll.
+    select(join(controller.run(), keep), asked).await;
+    Ok(())
+}
+
+/// What the host does around a scan.
+struct SoftPlc<'a> {
+    machine: &'a RefCell<Machine>,
+    panel: &'a Panel,
+    /// What the machine asks for, when it is not another scan.
+    moved: &'a Signal<NoopRawMutex, Next>,
+}
+
+impl SoftPlc<'_> {
+    /// Moves the machine before scan 0 or after a scan.
+    fn step(&self, view: Option<&View<'_>>) {
+        let mut machine = self.machine.borrow_mut();
+        self.panel.show_outputs();
+        let next = machine.step(&self.panel.outputs(), view);
+        for text in machine.take_said() {
+            lines::print(format_args!("-- {text}"));
+        }
+        self.panel.connect(&machine);
+        if next != Next::Scan {
+            self.moved.signal(next);
+        }
+    }
+}
+
+impl Board for SoftPlc<'_> {
+    /// A desktop is no real-time system: what costs no release is no news.
+    const LATE_AFTER: Duration = Duration::from_millis(PROGRAM.period_ms as u64);
+
+    fn complete(&mut self, engine: &Engine<'_, '_>) {
+        let view = View {
+            image: engine.image(),
+            numbers: engine.numbers(),
+        };
+        self.step(Some(&view));
+    }
+}
