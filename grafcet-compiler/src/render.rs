@@ -22,7 +22,11 @@ pub struct Style {
 ///
 /// The first line of each is `error[rule]: sentence` or `warning[rule]: sentence`, the second ` --> file:line:column`.
 #[must_use]
-pub fn render<R: NamedRule>(diagnostics: &[Diagnostic<R>], sources: &Sources, style: Style) -> String {
+pub fn render<R: NamedRule>(
+    diagnostics: &[Diagnostic<R>],
+    sources: &Sources,
+    style: Style,
+) -> String {
     let renderer = if style.color {
         Renderer::styled()
     } else {

@@ -20,6 +20,8 @@ pub(super) type Parsed<T> = Result<T, Failed>;
 pub(super) struct Context {
     /// How many parentheses and sets are open: inside them a line break means nothing.
     pub(super) brackets: u32,
+    /// A set is the innermost of them.
+    pub(super) in_set: bool,
     /// The next `/` ends the expression: the enable of a timer.
     pub(super) slash_ends: bool,
     /// A `:` ends the expression: an event.
@@ -183,6 +185,12 @@ impl<'a> Parser<'a> {
             .unwrap_or("")
     }
 
+    /// The text from the start of a token's line to the token.
+    pub(super) fn line_of(&self, token: Token) -> &'a str {
+        let before = self.text.get(..token.start as usize).unwrap_or("");
+        before.rsplit('\n').next().unwrap_or("")
+    }
+
     /// The text of the token behind the next one.
     pub(super) fn text_of_second(&self) -> &'a str {
         self.text_of(self.token(self.index + 1))
@@ -303,10 +311,23 @@ impl<'a> Parser<'a> {
         result
     }
 
-    /// Reads something inside brackets, where a line break means nothing.
-    pub(super) fn bracketed<T>(&mut self, read: impl FnOnce(&mut Self) -> Parsed<T>) -> Parsed<T> {
+    /// Reads something inside parentheses, where a line break means nothing.
+    pub(super) fn in_parentheses<T>(
+        &mut self,
+        read: impl FnOnce(&mut Self) -> Parsed<T>,
+    ) -> Parsed<T> {
         let context = Context {
             brackets: self.context.brackets + 1,
+            ..Context::default()
+        };
+        self.within(context, read)
+    }
+
+    /// Reads something inside a set, where a line break means nothing either.
+    pub(super) fn in_set<T>(&mut self, read: impl FnOnce(&mut Self) -> Parsed<T>) -> Parsed<T> {
+        let context = Context {
+            brackets: self.context.brackets + 1,
+            in_set: true,
             ..Context::default()
         };
         self.within(context, read)

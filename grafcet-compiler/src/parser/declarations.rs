@@ -22,11 +22,13 @@ impl Parser<'_> {
             text: None,
             span: self.span_since(start),
         };
-        if self.clauses(&mut declaration).is_err() {
+        let complete = self.clauses(&mut declaration).is_ok();
+        declaration.span = self.span_since(start);
+        if complete {
+            self.check_shape(&declaration);
+        } else {
             self.recover();
         }
-        declaration.span = self.span_since(start);
-        self.check_shape(&declaration);
         Ok(declaration)
     }
 
@@ -137,7 +139,7 @@ impl Parser<'_> {
                     "bool" | "int" | "time" => format!("write `{lower}`"),
                     "boolean" | "bit" => "write `bool`".to_owned(),
                     "real" | "float" | "lreal" | "double" => {
-                        "there are no broken numbers: scale to an `int`, such as tenths of a degree"
+                        "numbers are whole: scale to an `int`, such as tenths of a degree"
                             .to_owned()
                     }
                     "integer" | "dint" | "uint" | "sint" | "word" | "dword" | "i32" => {
@@ -155,6 +157,13 @@ impl Parser<'_> {
     /// What the grammar says beside its productions: `at` and `=` only with a single name, inputs take no `=`.
     fn check_shape(&mut self, declaration: &Declaration) {
         let several = declaration.names.len() > 1;
+        if declaration.kind == DeclarationKind::Constant && declaration.initial.is_none() {
+            self.error(
+                declaration.span,
+                "a constant has no value",
+                "write `const name = value`",
+            );
+        }
         if let Some(address) = declaration.address.as_ref().filter(|_| several) {
             self.error(
                 address.span,

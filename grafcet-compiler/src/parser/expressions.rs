@@ -7,21 +7,20 @@ use crate::diagnostic::{Diagnostic, Rule};
 use crate::lexer::token::{Keyword, TokenKind};
 use crate::source::Span;
 
+use super::MAX_EXPRESSION_DEPTH;
 use super::cursor::{Parsed, Parser};
-use super::names::is_step_bit;
-use super::{MAX_EXPRESSION_DEPTH, timers};
 
 /// How tightly operators bind.
 const AND: u8 = 3;
 const XOR: u8 = 2;
 const OR: u8 = 1;
-pub(super) const COMPARISON: u8 = 4;
+const COMPARISON: u8 = 4;
 const SUM: u8 = 5;
-const PRODUCT: u8 = 6;
+pub(super) const PRODUCT: u8 = 6;
 
-/// An expression on its way up.
+/// An expression on its way up; boxed, so that deep nesting costs little stack.
 pub(super) struct Tree {
-    pub(super) expression: Expression,
+    pub(super) expression: Box<Expression>,
     /// How many levels it has.
     depth: u32,
     /// Its place, parentheses included.
@@ -34,7 +33,7 @@ impl Tree {
     /// The tree of a kind over subtrees, the deepest of which has `depth` levels.
     pub(super) fn over(kind: ExpressionKind, span: Span, depth: u32) -> Tree {
         Tree {
-            expression: Expression { kind, span },
+            expression: Box::new(Expression { kind, span }),
             depth: depth + 1,
             outer: span,
             parenthesised: false,
@@ -90,7 +89,7 @@ fn prefix_of(kind: TokenKind) -> Option<Unary> {
 impl Parser<'_> {
     /// A whole expression.
     pub(super) fn expression(&mut self) -> Parsed<Expression> {
-        Ok(self.tree()?.expression)
+        Ok(*self.tree()?.expression)
     }
 
     /// A whole expression with its measures.
@@ -129,7 +128,7 @@ impl Parser<'_> {
     }
 
     /// Takes an operator; an `=>` among them is refused.
-    fn take_operator(&mut self) -> Span {
+    pub(super) fn take_operator(&mut self) -> Span {
         let span = self.span_of(self.next_token());
         if self.at(TokenKind::FatArrow) {
             self.error(span, "`=>` is not an operator", "write `>=`");
@@ -139,7 +138,7 @@ impl Parser<'_> {
     }
 
     /// One node over two.
-    fn join(
+    pub(super) fn join(
         &mut self,
         operator: Binary,
         operator_span: Span,
@@ -151,8 +150,8 @@ impl Parser<'_> {
         let kind = ExpressionKind::Binary {
             operator,
             operator_span,
-            left: Box::new(left.expression),
-            right: Box::new(right.expression),
+            left: left.expression,
+            right: right.expression,
         };
         self.bounded(Tree::over(kind, span, depth))
     }
@@ -235,7 +234,7 @@ impl Parser<'_> {
         let depth = operand.depth;
         let kind = ExpressionKind::Unary {
             operator,
-            operand: Box::new(operand.expression),
+            operand: operand.expression,
         };
         self.bounded(Tree::over(kind, span, depth))
     }
@@ -257,11 +256,15 @@ impl Parser<'_> {
 
     fn parenthesised(&mut self) -> Parsed<Tree> {
         let open = self.bump();
-        let mut tree = self.bracketed(|parser| {
+        let mut tree = self.in_parentheses(|parser| {
             let tree = parser.tree()?;
             if parser.at(TokenKind::RightParenthesis) {
                 parser.bump();
                 return Ok(tree);
+            }
+            if parser.next_token().breaks {
+                // More likely the parenthesis is missing than an operator at the end of the line.
+                parser.context.brackets = 0;
             }
             let message = format!("expected `)`, found {}", parser.found());
             let mut diagnostic = Diagnostic::new(Rule::Syntax, parser.span_here(), message)
@@ -293,7 +296,7 @@ impl Parser<'_> {
         if self.at(TokenKind::LeftParenthesis) {
             let message = format!("`{}` cannot be called", reference.name.text);
             let diagnostic = Diagnostic::new(Rule::Syntax, reference.span, message).help(
-                "only `S(Graph)` has its graph in parentheses; elsewhere an operator is missing",
+                "a timer is written `T/a/2s`; a situation `S(Graph) = {1}`; elsewhere an operator is missing",
             );
             return Err(self.fail(diagnostic));
         }
@@ -305,7 +308,7 @@ impl Parser<'_> {
     fn situation_comparison(&mut self) -> Parsed<Tree> {
         let start = self.bump();
         self.bump();
-        let graph = self.bracketed(|parser| {
+        let graph = self.in_parentheses(|parser| {
             let graph = parser.name("the name of a graph")?;
             parser.expect(
                 TokenKind::RightParenthesis,
@@ -368,43 +371,5 @@ impl Parser<'_> {
             _ => return self.expected("a name, a number or a condition"),
         };
         self.expected_help("a name, a number or a condition", help)
-    }
-
-    /// `left / ..`: a delay where the right side is Boolean by its very form, else a division.
-    fn quotient(&mut self, left: Tree) -> Parsed<Tree> {
-        let operator_span = self.take_operator();
-        self.refuse_bare_enable();
-        let right = self.binary(PRODUCT + 1)?;
-        if timers::lacks_off_delay(&left) {
-            return self.off_delay(left, right);
-        }
-        if is_boolean(&right) {
-            return self.on_delay(left, right);
-        }
-        self.join(Binary::Divide, operator_span, left, right)
-    }
-}
-
-/// Whether an operand behind `/` is Boolean whatever is declared: a step bit, or such an expression in parentheses.
-fn is_boolean(tree: &Tree) -> bool {
-    match &tree.expression.kind {
-        ExpressionKind::Ref(reference) => is_step_bit(&reference.name.text),
-        ExpressionKind::Bool(_)
-        | ExpressionKind::Situation { .. }
-        | ExpressionKind::Timer { .. }
-        | ExpressionKind::Delay { .. } => tree.parenthesised,
-        ExpressionKind::Unary { operator, .. } => tree.parenthesised && *operator != Unary::Negate,
-        ExpressionKind::Binary { operator, .. } => {
-            tree.parenthesised
-                && !matches!(
-                    operator,
-                    Binary::Add
-                        | Binary::Subtract
-                        | Binary::Multiply
-                        | Binary::Divide
-                        | Binary::Modulo
-                )
-        }
-        ExpressionKind::Integer(_) | ExpressionKind::Duration(_) => false,
     }
 }

@@ -6,7 +6,13 @@ use crate::lexer::token::{Keyword, TokenKind};
 use crate::literals;
 
 use super::cursor::{Failed, Parsed, Parser};
+use super::recovery::Room;
 use super::statements::Place;
+
+/// How elements are kept apart.
+pub(super) const ADVICE: &str = "every element begins on a new line or behind `;`";
+
+const SHAPE: &str = "a transition is written `transition 7: 3, 4 -> 5 when a`";
 
 /// What a body belongs to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -34,35 +40,12 @@ impl Parser<'_> {
 
     /// `{ .. }` with elements. Errors in it are dealt with inside.
     fn body(&mut self, body: Body, owner: &str) -> Parsed<Vec<Element>> {
-        let open = self.expect(TokenKind::LeftBrace, "`{`")?;
-        let mut elements = Vec::new();
-        loop {
-            self.next_statement();
-            match self.peek() {
-                TokenKind::RightBrace => {
-                    self.close_block();
-                    break;
-                }
-                TokenKind::EndOfFile => {
-                    self.unclosed(open, owner);
-                    break;
-                }
-                TokenKind::Keyword(word)
-                    if word.begins_item_only() && self.begins_element(word) =>
-                {
-                    self.unclosed(open, owner);
-                    break;
-                }
-                _ => match self.element(body) {
-                    Ok(element) => {
-                        elements.push(element);
-                        self.end_statement("every element begins on a new line or behind `;`");
-                    }
-                    Err(_) => self.recover(),
-                },
-            }
-        }
-        Ok(elements)
+        let room = Room {
+            name: owner,
+            advice: ADVICE,
+            is_foreign: Keyword::begins_item_only,
+        };
+        self.room(&room, |parser| parser.element(body))
     }
 
     fn element(&mut self, body: Body) -> Parsed<Element> {
@@ -109,7 +92,7 @@ impl Parser<'_> {
             if let (Body::Graph, Element::Step(step)) = (body, element)
                 && step.role != StepRole::Plain
             {
-                let message = format!("{} stands outside a macro step", self.text_of(start));
+                let message = format!("`{}` stands outside a macro step", self.text_of(start));
                 self.error(self.span_of(start), message, "entry and exit steps belong to the expansion of a macro step");
             }
         })
@@ -172,6 +155,7 @@ impl Parser<'_> {
     }
 
     fn step_rest(&mut self, step: &mut Step) -> Parsed<()> {
+        const BRACES: &str = "the action of a step stands in braces: `step 3 { A }`";
         step.text = self.text_if_any();
         if self.eat(TokenKind::Keyword(Keyword::Encloses)) {
             step.encloses = self.list(|parser| {
@@ -182,15 +166,16 @@ impl Parser<'_> {
         }
         if self.at(TokenKind::Colon) {
             let span = self.span_here();
-            self.error(
-                span,
-                "`:` stands behind a step",
-                "the action of a step stands in braces: `step 3 { A }`",
-            );
+            self.error(span, "`:` stands behind a step", BRACES);
             self.bump();
+            if !self.at(TokenKind::LeftBrace) {
+                return Err(Failed);
+            }
         }
         if self.at(TokenKind::LeftBrace) {
             step.block = Some(self.block(Place::Step)?);
+        } else if self.at(TokenKind::Name) {
+            return Err(self.expected_help("`{` and the action of the step", BRACES));
         }
         Ok(())
     }
@@ -212,7 +197,6 @@ impl Parser<'_> {
 
     /// `transition 7 "text": 3, 4 -> 5 when .. do { .. }`.
     fn transition(&mut self) -> Parsed<Transition> {
-        const SHAPE: &str = "a transition is written `transition 7: 3 -> 4 when a`";
         let start = self.bump();
         if !matches!(self.peek(), TokenKind::Number | TokenKind::Duration) {
             return Err(self.expected_help("the number of the transition", SHAPE));
@@ -285,8 +269,10 @@ impl Parser<'_> {
             self.bump();
             return Ok(());
         }
-        self.expect(TokenKind::Arrow, "`->` between the steps of the transition")
-            .map(|_| ())
+        if self.eat(TokenKind::Arrow) {
+            return Ok(());
+        }
+        Err(self.expected_help("`->` between the steps of the transition", SHAPE))
     }
 
     fn transition_rest(&mut self, transition: &mut Transition) -> Parsed<()> {

@@ -4,7 +4,9 @@ use crate::ast::{Binding, BindingTarget, File, Instance, Item, ScanOption};
 use crate::diagnostic::{Diagnostic, Rule};
 use crate::lexer::token::{Keyword, Token, TokenKind};
 
-use super::cursor::{Parsed, Parser};
+use super::cursor::{Failed, Parsed, Parser};
+use super::graphs::ADVICE;
+use super::recovery::Room;
 
 impl Parser<'_> {
     /// The whole file.
@@ -27,7 +29,7 @@ impl Parser<'_> {
                 _ => {}
             }
             match self.file_part(&mut file) {
-                Ok(()) => self.end_statement("every element begins on a new line or behind `;`"),
+                Ok(()) => self.end_statement(ADVICE),
                 Err(_) => self.recover(),
             }
             // Whatever happened, something is taken: the file comes to its end.
@@ -61,6 +63,7 @@ impl Parser<'_> {
             Keyword::Application => self.application(file, start)?,
             Keyword::Scan | Keyword::Evolution => {
                 let option = self.option(word, start)?;
+                self.refuse_second_option(&option, &file.options);
                 file.options.push(option);
             }
             _ => {
@@ -108,6 +111,22 @@ impl Parser<'_> {
         Ok(ScanOption::Evolution { stable, span })
     }
 
+    /// A period or an evolution that another one contradicts.
+    fn refuse_second_option(&mut self, option: &ScanOption, others: &[ScanOption]) {
+        let parts = |option: &ScanOption| match option {
+            ScanOption::Period(period) => ("scan", period.span),
+            ScanOption::Evolution { span, .. } => ("evolution", *span),
+        };
+        let (word, span) = parts(option);
+        if let Some((_, first)) = others.iter().map(parts).find(|(other, _)| *other == word) {
+            self.push(
+                Diagnostic::new(Rule::Syntax, span, format!("`{word}` is given twice"))
+                    .label(first, "given here first")
+                    .help("remove one of the two"),
+            );
+        }
+    }
+
     fn item(&mut self, word: Keyword, start: Token) -> Parsed<Item> {
         match word {
             Keyword::Input
@@ -140,7 +159,7 @@ impl Parser<'_> {
         }
     }
 
-    fn item_missing(&mut self) -> super::cursor::Failed {
+    fn item_missing(&mut self) -> Failed {
         const WHAT: &str = "a declaration, a graph, a plant, a property or a test";
         if let Some(word) = self.nearest_keyword() {
             return self.expected_help(WHAT, format!("did you mean `{word}`?"));
@@ -166,36 +185,16 @@ impl Parser<'_> {
     fn instance(&mut self, name: crate::ast::Name, start: Token) -> Parsed<Instance> {
         self.equals();
         let template = self.name("the name of a template")?;
-        let mut bindings = Vec::new();
-        if self.at(TokenKind::LeftBrace) {
-            let open = self.bump();
-            loop {
-                self.next_statement();
-                match self.peek() {
-                    TokenKind::RightBrace => {
-                        self.close_block();
-                        break;
-                    }
-                    TokenKind::EndOfFile => {
-                        self.unclosed(open, "this instance");
-                        break;
-                    }
-                    TokenKind::Keyword(word)
-                        if self.next_token().newline && self.begins_element(word) =>
-                    {
-                        self.unclosed(open, "this instance");
-                        break;
-                    }
-                    _ => match self.binding() {
-                        Ok(binding) => {
-                            bindings.push(binding);
-                            self.end_statement("separate bindings by `;` or a new line");
-                        }
-                        Err(_) => self.recover(),
-                    },
-                }
-            }
-        }
+        let room = Room {
+            name: "this instance",
+            advice: "separate bindings by `;` or a new line",
+            is_foreign: |word| word.begins_element(),
+        };
+        let bindings = if self.at(TokenKind::LeftBrace) {
+            self.room(&room, Self::binding)?
+        } else {
+            Vec::new()
+        };
         Ok(Instance {
             name,
             template,

@@ -189,7 +189,7 @@ impl Parser<'_> {
             Current,
         }
         let open = self.expect(TokenKind::LeftBrace, "a set of steps such as `{1, 3}`")?;
-        let inside = self.bracketed(|parser| {
+        let inside = self.in_set(|parser| {
             let inside = if parser.eat(TokenKind::Star) {
                 Inside::Current
             } else if parser.eat_word("I") {

@@ -4,6 +4,7 @@ use crate::ast::{Property, PropertyKind, Test, TestStep, TestStepKind};
 use crate::lexer::token::{Keyword, TokenKind};
 
 use super::cursor::{Failed, Parsed, Parser};
+use super::recovery::Room;
 
 impl Parser<'_> {
     /// `property "text": never e`.
@@ -52,35 +53,12 @@ impl Parser<'_> {
         if self.eat_word("with") {
             test.plants = self.list(|parser| parser.name("the name of a plant"))?;
         }
-        let open = self.expect(TokenKind::LeftBrace, "`{`")?;
-        loop {
-            self.next_statement();
-            match self.peek() {
-                TokenKind::RightBrace => {
-                    self.close_block();
-                    break;
-                }
-                TokenKind::EndOfFile => {
-                    self.unclosed(open, "this test");
-                    break;
-                }
-                TokenKind::Keyword(word)
-                    if self.next_token().newline
-                        && word != Keyword::Always
-                        && self.begins_element(word) =>
-                {
-                    self.unclosed(open, "this test");
-                    break;
-                }
-                _ => match self.test_step() {
-                    Ok(step) => {
-                        test.steps.push(step);
-                        self.end_statement("separate the steps of a test by `;` or a new line");
-                    }
-                    Err(_) => self.recover(),
-                },
-            }
-        }
+        let room = Room {
+            name: "this test",
+            advice: "separate the steps of a test by `;` or a new line",
+            is_foreign: |word| word.begins_element() && word != Keyword::Always,
+        };
+        test.steps = self.room(&room, Self::test_step)?;
         test.span = self.span_since(start);
         Ok(test)
     }

@@ -1,10 +1,86 @@
 //! Where statements begin and end, and how the parser finds back after an error.
 
-use crate::lexer::token::{Keyword, TokenKind};
+use crate::diagnostic::{Diagnostic, Rule};
+use crate::lexer::token::{Keyword, Token, TokenKind};
 
-use super::cursor::{Context, Parser};
+use super::cursor::{Context, Parsed, Parser};
+
+/// What stands in braces: an action, a graph, a test, the bindings of an instance.
+pub(super) struct Room<'a> {
+    /// As messages name it.
+    pub(super) name: &'a str,
+    /// How its parts are kept apart.
+    pub(super) advice: &'a str,
+    /// Words that begin what cannot stand in it.
+    pub(super) is_foreign: fn(Keyword) -> bool,
+}
 
 impl Parser<'_> {
+    /// `{ .. }` with parts that `read` reads. Errors in it are dealt with inside: only a missing `{` fails.
+    pub(super) fn room<T>(
+        &mut self,
+        room: &Room,
+        mut read: impl FnMut(&mut Self) -> Parsed<T>,
+    ) -> Parsed<Vec<T>> {
+        let open = self.expect(TokenKind::LeftBrace, "`{`")?;
+        let mut parts = Vec::new();
+        loop {
+            self.next_statement();
+            match self.peek() {
+                TokenKind::RightBrace => {
+                    self.block_end = Some(self.index);
+                    self.bump();
+                    break;
+                }
+                TokenKind::EndOfFile => {
+                    self.unclosed(open, room);
+                    break;
+                }
+                TokenKind::Keyword(word)
+                    if (room.is_foreign)(word)
+                        && self.next_token().newline
+                        && self.begins_element(word) =>
+                {
+                    if self.indent(self.next_token()) <= self.indent(open) {
+                        self.unclosed(open, room);
+                        break;
+                    }
+                    self.expected(&format!("what belongs to {}", room.name));
+                    self.recover();
+                }
+                _ => match read(self) {
+                    Ok(part) => {
+                        parts.push(part);
+                        self.end_statement(room.advice);
+                    }
+                    Err(_) => self.recover(),
+                },
+            }
+        }
+        Ok(parts)
+    }
+
+    /// Says that a brace is open where the file ends or something else begins, and takes it as closed.
+    fn unclosed(&mut self, open: Token, room: &Room) {
+        let found = match self.peek() {
+            TokenKind::EndOfFile => "the file ends here".to_owned(),
+            _ => format!("{} begins something else", self.found()),
+        };
+        let message = format!("{} is not closed", room.name);
+        let diagnostic = Diagnostic::new(Rule::Syntax, self.span_of(open), message)
+            .label(self.span_of(self.next_token()), found)
+            .help("close it with `}`");
+        self.push(diagnostic);
+        self.block_end = self.index.checked_sub(1);
+    }
+
+    /// How many blanks begin the line of a token: what stands deeper than the line that opened a brace is more likely
+    /// in the wrong place than behind a brace that was forgotten.
+    fn indent(&self, token: Token) -> usize {
+        let line = self.line_of(token);
+        line.len() - line.trim_start().len()
+    }
+
     /// Goes to the start of the next statement.
     pub(super) fn next_statement(&mut self) {
         self.context = Context::default();
@@ -15,12 +91,6 @@ impl Parser<'_> {
             }
             self.bump();
         }
-    }
-
-    /// Takes the `}` that closes a block.
-    pub(super) fn close_block(&mut self) {
-        self.block_end = Some(self.index);
-        self.bump();
     }
 
     /// Makes sure that a statement ends here, and goes to its end if it does not. Behind a block nothing need stand.
@@ -55,6 +125,11 @@ impl Parser<'_> {
             TokenKind::Name if word.eq_ignore_ascii_case("then") => {
                 "the action stands in front of its condition: `A IF c`, `a = 1 IF c`"
             }
+            TokenKind::Name
+                if word.eq_ignore_ascii_case("when") || word.eq_ignore_ascii_case("do") =>
+            {
+                "`when` and `do` are written in lower case; a condition begins with `IF`"
+            }
             _ if self.at_operand() => "an operator such as `AND` is missing, or a `;` or new line",
             _ => advice,
         }
@@ -63,41 +138,47 @@ impl Parser<'_> {
     /// Goes to the end of the statement in which something failed: to its `;`, its line end or the `}` around it.
     /// Braces and parentheses that are open are skipped as a whole, but never past the start of a graph or a test.
     pub(super) fn recover(&mut self) {
-        let first = self.index;
-        let mut brackets = if self.next_token().newline {
-            0
-        } else {
-            self.context.brackets
-        };
-        self.context = Context::default();
+        let same_line = !self.next_token().newline;
+        let mut brackets = if same_line { self.context.brackets } else { 0 };
+        let mut in_set = same_line && self.context.in_set;
         let mut braces = 0_usize;
+        self.context = Context::default();
         loop {
             let token = self.next_token();
-            let begins_line = token.newline && self.index != self.statement;
+            let line_ends = self.peek() == TokenKind::LineEnd;
+            if line_ends && in_set {
+                // A set seldom goes over a line end: its brace is missing.
+                in_set = false;
+                brackets = 0;
+            }
             match token.kind {
                 TokenKind::EndOfFile => return,
                 TokenKind::Keyword(word)
-                    if begins_line
+                    if line_ends
                         && self.begins_element(word)
                         && (braces == 0 || word.begins_item_only()) =>
                 {
                     return;
                 }
-                TokenKind::Semicolon | TokenKind::RightBrace if braces == 0 => return,
-                TokenKind::LeftParenthesis if braces == 0 => brackets += 1,
-                TokenKind::RightParenthesis if braces == 0 => brackets = brackets.saturating_sub(1),
-                _ if braces == 0 && brackets == 0 && self.peek() == TokenKind::LineEnd => return,
-                _ => {}
-            }
-            match token.kind {
+                TokenKind::RightBrace if in_set => {
+                    in_set = false;
+                    brackets = brackets.saturating_sub(1);
+                }
                 TokenKind::LeftBrace => braces += 1,
-                TokenKind::RightBrace => braces -= 1,
+                TokenKind::RightBrace | TokenKind::Semicolon if braces == 0 => return,
+                TokenKind::RightBrace => {
+                    braces -= 1;
+                    if braces == 0 {
+                        self.block_end = Some(self.index);
+                    }
+                }
+                _ if braces > 0 => {}
+                TokenKind::LeftParenthesis => brackets += 1,
+                TokenKind::RightParenthesis => brackets = brackets.saturating_sub(1),
+                _ if brackets == 0 && line_ends => return,
                 _ => {}
             }
             self.bump();
-            if braces == 0 && token.kind == TokenKind::RightBrace && self.index > first {
-                self.block_end = Some(self.index - 1);
-            }
         }
     }
 

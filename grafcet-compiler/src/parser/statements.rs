@@ -2,9 +2,10 @@
 
 use crate::ast::{Block, Event, Expression, Statement, StatementKind};
 use crate::diagnostic::{Diagnostic, Rule};
-use crate::lexer::token::{Keyword, Token, TokenKind};
+use crate::lexer::token::{Keyword, TokenKind};
 
-use super::cursor::{Context, Parsed, Parser};
+use super::cursor::{Context, Failed, Parsed, Parser};
+use super::recovery::Room;
 
 /// Where a block stands; it decides which statements may stand in it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -22,60 +23,21 @@ pub(super) enum Place {
 impl Parser<'_> {
     /// `{ .. }` with statements. Errors in it are dealt with inside.
     pub(super) fn block(&mut self, place: Place) -> Parsed<Block> {
-        let open = self.expect(TokenKind::LeftBrace, "`{`")?;
-        let mut statements = Vec::new();
-        loop {
-            self.next_statement();
-            match self.peek() {
-                TokenKind::RightBrace => {
-                    self.close_block();
-                    break;
-                }
-                TokenKind::EndOfFile => {
-                    self.unclosed(open, "this action");
-                    break;
-                }
-                TokenKind::Keyword(word)
-                    if self.next_token().newline
-                        && word != Keyword::On
-                        && self.begins_element(word) =>
-                {
-                    self.unclosed(open, "this action");
-                    break;
-                }
-                _ => match self.statement(place) {
-                    Ok(statement) => {
-                        statements.extend(statement);
-                        self.end_statement("separate statements by `;` or a new line");
-                    }
-                    Err(_) => self.recover(),
-                },
-            }
-        }
+        let start = self.next_token();
+        let room = Room {
+            name: "this action",
+            advice: "separate statements by `;` or a new line",
+            is_foreign: |word| word.begins_element(),
+        };
+        let statements = self.room(&room, |parser| parser.statement(place))?;
         Ok(Block {
             statements,
-            span: self.span_since(open),
+            span: self.span_since(start),
         })
     }
 
-    /// Says that a brace is open where something begins that cannot stand inside it.
-    pub(super) fn unclosed(&mut self, open: Token, what: &str) {
-        let message = format!("{what} is not closed");
-        let found = match self.peek() {
-            TokenKind::EndOfFile => "the file ends here".to_owned(),
-            _ => format!(
-                "{} begins something that cannot stand inside it",
-                self.found()
-            ),
-        };
-        let diagnostic = Diagnostic::new(Rule::Syntax, self.span_of(open), message)
-            .label(self.span_of(self.next_token()), found)
-            .help("close it with `}`");
-        self.push(diagnostic);
-    }
-
-    /// One statement; nothing when it is well-formed but must not stand here, which is reported.
-    fn statement(&mut self, place: Place) -> Parsed<Option<Statement>> {
+    /// One statement that may stand in such a place.
+    fn statement(&mut self, place: Place) -> Parsed<Statement> {
         let start = self.next_token();
         let kind = match self.peek() {
             TokenKind::Text => StatementKind::Text(self.quoted("a text")?),
@@ -84,6 +46,12 @@ impl Parser<'_> {
                 if self.text_of(start) == "F" && self.peek_second() == TokenKind::Slash =>
             {
                 self.force()?
+            }
+            TokenKind::If if !self.names_something() => {
+                return Err(self.expected_help(
+                    "a statement",
+                    "the action stands in front of its condition: `A IF c`, `a = 1 IF c`",
+                ));
             }
             TokenKind::Not => {
                 return Err(self.expected_help(
@@ -97,7 +65,8 @@ impl Parser<'_> {
             kind,
             span: self.span_since(start),
         };
-        Ok(self.allowed(&statement, place).then_some(statement))
+        self.allowed(&statement, place)?;
+        Ok(statement)
     }
 
     /// The reserved word that comes next is used as a name: it is reported as such where it is read.
@@ -116,16 +85,16 @@ impl Parser<'_> {
     }
 
     /// Reports a statement that may not stand where it stands.
-    fn allowed(&mut self, statement: &Statement, place: Place) -> bool {
+    fn allowed(&mut self, statement: &Statement, place: Place) -> Parsed<()> {
         let (message, help) = match (&statement.kind, place) {
             (StatementKind::On { .. }, Place::Step)
             | (StatementKind::Stored { .. } | StatementKind::Text(_), _) => {
-                return true;
+                return Ok(());
             }
             (_, Place::Step | Place::Always)
                 if !matches!(statement.kind, StatementKind::On { .. }) =>
             {
-                return true;
+                return Ok(());
             }
             (StatementKind::On { .. }, Place::Do) => (
                 "a `do` block holds stored statements without `on`",
@@ -157,7 +126,7 @@ impl Parser<'_> {
             ),
         };
         self.error(statement.span, message, help);
-        false
+        Err(Failed)
     }
 
     /// `IF c`, if it stands here.
@@ -244,7 +213,7 @@ impl Parser<'_> {
                 "write `on activation: a = 1` or `on activation { .. }`; a name `G:a` in an event stands in parentheses",
             ));
         }
-        let statements = self.statement(Place::On)?.into_iter().collect();
+        let statements = vec![self.statement(Place::On)?];
         Ok(StatementKind::On { event, statements })
     }
 }

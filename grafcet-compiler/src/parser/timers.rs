@@ -1,18 +1,43 @@
 //! Timers and delays: `T/enable/preset`, `t1/e`, `t1/e/t2`.
 
-use crate::ast::ExpressionKind;
+use crate::ast::{Binary, ExpressionKind, Unary};
 use crate::lexer::token::TokenKind;
 
 use super::cursor::{Context, Parsed, Parser};
-use super::expressions::Tree;
+use super::expressions::{PRODUCT, Tree};
+use super::names::is_step_bit;
 
 /// An on-delay to which a second `/` would add the off-delay.
-pub(super) fn lacks_off_delay(tree: &Tree) -> bool {
+fn lacks_off_delay(tree: &Tree) -> bool {
     !tree.parenthesised
         && matches!(
             tree.expression.kind,
             ExpressionKind::Delay { off: None, .. }
         )
+}
+
+/// Whether an operand behind `/` is Boolean whatever is declared: a step bit, or such an expression in parentheses.
+fn is_boolean(tree: &Tree) -> bool {
+    match &tree.expression.kind {
+        ExpressionKind::Ref(reference) => is_step_bit(&reference.name.text),
+        ExpressionKind::Bool(_)
+        | ExpressionKind::Situation { .. }
+        | ExpressionKind::Timer { .. }
+        | ExpressionKind::Delay { .. } => tree.parenthesised,
+        ExpressionKind::Unary { operator, .. } => tree.parenthesised && *operator != Unary::Negate,
+        ExpressionKind::Binary { operator, .. } => {
+            tree.parenthesised
+                && !matches!(
+                    operator,
+                    Binary::Add
+                        | Binary::Subtract
+                        | Binary::Multiply
+                        | Binary::Divide
+                        | Binary::Modulo
+                )
+        }
+        ExpressionKind::Integer(_) | ExpressionKind::Duration(_) => false,
+    }
 }
 
 impl Parser<'_> {
@@ -33,8 +58,8 @@ impl Parser<'_> {
         let span = self.span_of(start).to(preset.outer);
         let depth = Tree::deepest([&enable, &preset]);
         let kind = ExpressionKind::Timer {
-            enable: Box::new(enable.expression),
-            preset: Box::new(preset.expression),
+            enable: enable.expression,
+            preset: preset.expression,
         };
         let help = match self.peek() {
             TokenKind::Slash => {
@@ -61,8 +86,22 @@ impl Parser<'_> {
         }
     }
 
+    /// `left / ..`: a delay where the right side is Boolean by its very form, else a division.
+    pub(super) fn quotient(&mut self, left: Tree) -> Parsed<Tree> {
+        let operator_span = self.take_operator();
+        self.refuse_bare_enable();
+        let right = self.binary(PRODUCT + 1)?;
+        if lacks_off_delay(&left) {
+            return self.off_delay(left, right);
+        }
+        if is_boolean(&right) {
+            return self.on_delay(left, right);
+        }
+        self.join(Binary::Divide, operator_span, left, right)
+    }
+
     /// Reports what may stand behind the `/` of a delay only in parentheses.
-    pub(super) fn refuse_bare_enable(&mut self) {
+    fn refuse_bare_enable(&mut self) {
         let second = self.peek_second();
         let bare = match self.peek() {
             TokenKind::Not
@@ -88,23 +127,23 @@ impl Parser<'_> {
     }
 
     /// `t1/e`.
-    pub(super) fn on_delay(&mut self, on: Tree, enable: Tree) -> Parsed<Tree> {
+    fn on_delay(&mut self, on: Tree, enable: Tree) -> Parsed<Tree> {
         let span = on.outer.to(enable.outer);
         let depth = Tree::deepest([&on, &enable]);
         let kind = ExpressionKind::Delay {
-            on: Box::new(on.expression),
-            enable: Box::new(enable.expression),
+            on: on.expression,
+            enable: enable.expression,
             off: None,
         };
         self.bounded(Tree::over(kind, span, depth))
     }
 
     /// `t1/e/t2` from `t1/e` and `t2`.
-    pub(super) fn off_delay(&mut self, mut delay: Tree, off_delay: Tree) -> Parsed<Tree> {
+    fn off_delay(&mut self, mut delay: Tree, off_delay: Tree) -> Parsed<Tree> {
         let span = delay.outer.to(off_delay.outer);
         let depth = delay.depth().max(off_delay.depth());
         if let ExpressionKind::Delay { off, .. } = &mut delay.expression.kind {
-            *off = Some(Box::new(off_delay.expression));
+            *off = Some(off_delay.expression);
         }
         self.bounded(Tree::over(delay.expression.kind, span, depth))
     }
