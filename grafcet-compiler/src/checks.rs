@@ -27,8 +27,8 @@ pub(crate) fn warnings(model: &Model, settled: bool) -> Vec<Diagnostic> {
     let mut diagnostics = Vec::new();
     hierarchy::advise(model, &mut diagnostics);
     names::advise(model, &mut diagnostics);
-    constants::advise(model, &mut diagnostics);
     if settled {
+        constants::advise(model, &mut diagnostics);
         usage::advise(model, &mut diagnostics);
         reach::advise(model, &mut diagnostics);
     }

@@ -14,8 +14,10 @@ mod expression;
 mod hierarchy;
 mod instance;
 mod library;
+mod missing;
 mod names;
 mod operator;
+mod options;
 mod resolver;
 mod statement;
 mod structure;
@@ -171,6 +173,8 @@ pub struct Variable {
     pub ty: Type,
     /// Its address.
     pub address: Option<Address>,
+    /// Where an address is written, a right one or not.
+    pub at: Option<Span>,
     /// The lowest and highest value, where one is declared or an address sets it.
     pub range: Option<(i32, i32)>,
     /// The declared initial value, for a constant its value.

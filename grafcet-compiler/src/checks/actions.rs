@@ -151,7 +151,13 @@ fn ring(
     );
     let mut diagnostic = Diagnostic::new(Rule::CausalityLoop, first.span, message);
     for (index, _) in &ring[1..] {
-        diagnostic = diagnostic.label(statement(*index).span, "part of the ring");
+        let place = statement(*index).span;
+        if place != first.span {
+            diagnostic = diagnostic.label(place, "part of the ring");
+        }
     }
-    diagnostic.help("store one of them: `a = ..` is read by the others in the next scan")
+    diagnostic.help(format!(
+        "store one of them, as in `{} = ..`: what is stored may depend on itself",
+        model[ring[0].1].name
+    ))
 }

@@ -19,7 +19,7 @@ pub(super) fn check_addresses(model: &Model, target: Target, diagnostics: &mut V
                     taken.insert(address, VariableId(index));
                 }
             }
-            None if target == Target::Firmware => {
+            None if target == Target::Firmware && variable.at.is_none() => {
                 diagnostics.extend(without_address(model, variable))
             }
             None => {}
@@ -28,18 +28,20 @@ pub(super) fn check_addresses(model: &Model, target: Target, diagnostics: &mut V
 }
 
 fn shared(model: &Model, address: Address, first: VariableId, second: VariableId) -> Diagnostic {
-    let (mut first_place, mut place) = (model[first].span, model[second].span);
-    if first_place == place {
+    let place = |id: VariableId| model[id].at.unwrap_or(model[id].span);
+    let (mut first_place, mut second_place) = (place(first), place(second));
+    if first_place == second_place {
         // Two instances of a template that has the address in its own text.
-        let instance = |id: VariableId| model[id].owner.map_or(place, |owner| model[owner].span);
-        (first_place, place) = (instance(first), instance(second));
+        let instance =
+            |id: VariableId| model[id].owner.map_or(place(id), |owner| model[owner].span);
+        (first_place, second_place) = (instance(first), instance(second));
     }
     let message = format!(
         "`{}` and `{}` lie at one address, `{address}`",
         model.qualified(first),
         model.qualified(second)
     );
-    Diagnostic::new(Rule::DuplicateAddress, place, message)
+    Diagnostic::new(Rule::DuplicateAddress, second_place, message)
         .label(first_place, "the first one is here")
 }
 

@@ -2,7 +2,7 @@
 
 use super::names::{Found, View};
 use super::resolver::Resolver;
-use super::{DeclarationKind, Expression, GraphId, Model, Type, VariableId};
+use super::{DeclarationKind, Expression, GraphId, Type, VariableId};
 use crate::ast::{self, ConstantKind, Item};
 use crate::diagnostic::{Diagnostic, Rule};
 use crate::source::Span;
@@ -88,45 +88,6 @@ pub enum Claimed {
 }
 
 impl Resolver<'_> {
-    /// Takes the options: the scan period and the evolution.
-    pub(super) fn take_options(&mut self, options: &[ast::ScanOption]) {
-        let (mut period, mut evolution): (Option<Span>, Option<Span>) = (None, None);
-        for option in options {
-            let (first, span, what) = match option {
-                ast::ScanOption::Period(constant) => {
-                    if let Some(ms) = self.constant(constant, Type::Time, View::Application) {
-                        self.take_period(ms, constant.span);
-                    }
-                    (&mut period, constant.span, "scan period")
-                }
-                ast::ScanOption::Evolution { stable, span } => {
-                    self.model.stable = *stable;
-                    (&mut evolution, *span, "evolution")
-                }
-            };
-            match *first {
-                None => *first = Some(span),
-                Some(first) => {
-                    let message = format!("the {what} is set a second time");
-                    let diagnostic = Diagnostic::new(Rule::Syntax, span, message)
-                        .label(first, "the first time is here");
-                    self.report(diagnostic);
-                }
-            }
-        }
-    }
-
-    fn take_period(&mut self, ms: i32, span: Span) {
-        match u32::try_from(ms) {
-            Ok(ms) if ms > 0 => self.model.period_ms = ms,
-            _ => self.report(Diagnostic::new(
-                Rule::OutOfRange,
-                span,
-                "a scan period is at least 1 ms",
-            )),
-        }
-    }
-
     /// Takes the tests and properties of the main file.
     pub(super) fn take_claims(&mut self, main: &ast::File) {
         for item in &main.items {
@@ -139,7 +100,10 @@ impl Resolver<'_> {
     }
 
     fn take_property(&mut self, property: &ast::Property) {
-        let view = View::Claim(&[]);
+        let view = View::Claim {
+            plants: &[],
+            whole: true,
+        };
         let claimed = match &property.kind {
             ast::PropertyKind::Never(it) => Claimed::Never(self.claim(it, view)),
             ast::PropertyKind::Always(it) => Claimed::Always(self.claim(it, view)),
@@ -167,15 +131,21 @@ impl Resolver<'_> {
     }
 
     fn take_test(&mut self, test: &ast::Test) {
-        let mut plants = Vec::new();
+        let (mut plants, mut whole) = (Vec::new(), true);
         for name in &test.plants {
-            plants.extend(self.plant(name));
+            match self.plant(name) {
+                Some(plant) if !plants.contains(&plant) => plants.push(plant),
+                Some(_) => {}
+                None => whole = false,
+            }
         }
-        plants.sort_unstable();
-        plants.dedup();
+        let view = View::Claim {
+            plants: &plants,
+            whole,
+        };
         let mut steps = Vec::with_capacity(test.steps.len());
         for step in &test.steps {
-            let kind = self.test_step(&step.kind, View::Claim(&plants));
+            let kind = self.test_step(&step.kind, view);
             steps.extend(kind.map(|kind| TestStep {
                 kind,
                 span: step.span,
@@ -203,9 +173,7 @@ impl Resolver<'_> {
             .plants()
             .map(|id| self.model[id].name.clone())
             .collect();
-        let help = self
-            .suggest(&name.text, |_| plants)
-            .map(|nearest| format!("did you mean `{nearest}`?"));
+        let help = self.suggest_or_list(&name.text, "", |_| plants);
         self.report_with_help(
             Diagnostic::new(Rule::UnknownGraph, name.span, message),
             help,
@@ -345,7 +313,7 @@ impl Resolver<'_> {
             Found::Step(_) | Found::Macro(_) => (Rule::WriteToStepBit, "a step bit"),
             Found::System(_) => (Rule::WriteToConstant, "read-only"),
         };
-        let message = format!("a test cannot set `{}`: it is {what}", name.name.text);
+        let message = format!("a test cannot set `{}`: it is {what}", written(name));
         let diagnostic = Diagnostic::new(rule, span, message)
             .help("a test sets inputs, parameters and the variables of its plants");
         self.report(diagnostic);
@@ -366,6 +334,14 @@ impl Resolver<'_> {
     }
 }
 
+/// A name as it stands in the text.
+fn written(name: &ast::Ref) -> String {
+    match &name.graph {
+        Some(graph) => format!("{}:{}", graph.text, name.name.text),
+        None => name.name.text.clone(),
+    }
+}
+
 impl Test {
     /// The expressions of a test, in source order.
     pub fn expressions(&self) -> impl Iterator<Item = &Expression> {
@@ -376,13 +352,5 @@ impl Test {
             | TestStepKind::Always(it) => Some(it),
             _ => None,
         })
-    }
-}
-
-impl Model {
-    /// The index of a plant among the plants.
-    #[must_use]
-    pub fn plant_index(&self, graph: GraphId) -> Option<usize> {
-        self.plants().position(|plant| plant == graph)
     }
 }

@@ -13,6 +13,7 @@ impl<'a> Resolver<'a> {
         for name in &declaration.names {
             let first = self.scope_mut(owner).get(&name.text).copied();
             if let Some(first) = first {
+                self.names.disputed.insert(first);
                 let first = self.model[first].span;
                 self.report_duplicate("name", name, first);
                 continue;
@@ -25,6 +26,7 @@ impl<'a> Resolver<'a> {
                 kind: declaration.kind,
                 ty: declaration.ty.map_or(Type::Bool, |(ty, _)| ty),
                 address: None,
+                at: declaration.address.as_ref().map(|address| address.span),
                 range: None,
                 initial: None,
                 initial_span: None,
@@ -197,37 +199,27 @@ impl<'a> Resolver<'a> {
 
     fn settle_initial(&mut self, id: VariableId, declaration: &ast::Declaration) {
         let variable = &self.model[id];
-        let (kind, ty, span) = (variable.kind, variable.ty, variable.span);
-        match &declaration.initial {
-            Some(initial) => {
-                let value = if kind == DeclarationKind::Constant {
-                    self.value_of(id, initial.span)
-                } else {
-                    let view = self.view_of(self.model[id].owner);
-                    self.constant(initial, ty, view)
-                };
-                if let Some(value) = value {
-                    self.check_limits(value, id, initial.span);
-                }
-                if self.model[id].initial_span.is_none() {
-                    self.model[id].initial = value;
-                    self.model[id].initial_span = Some(initial.span);
-                    return;
-                }
+        let (kind, ty) = (variable.kind, variable.ty);
+        if let Some(initial) = &declaration.initial {
+            let value = if kind == DeclarationKind::Constant {
+                self.value_of(id, initial.span)
+            } else {
+                let view = self.view_of(self.model[id].owner);
+                self.constant(initial, ty, view)
+            };
+            if let Some(value) = value {
+                self.check_limits(value, id, initial.span);
             }
-            None if kind == DeclarationKind::Constant => self.report_no_value(span),
-            None => {}
+            if self.model[id].initial_span.is_none() {
+                self.model[id].initial = value;
+                self.model[id].initial_span = Some(initial.span);
+                return;
+            }
         }
         // What an instance has given to its parameter.
         if let (Some(value), Some(span)) = (self.model[id].initial, self.model[id].initial_span) {
             self.check_limits(value, id, span);
         }
-    }
-
-    fn report_no_value(&mut self, span: Span) {
-        let diagnostic = Diagnostic::new(Rule::Syntax, span, "a constant without a value")
-            .help("write `=` and its value behind the type");
-        self.report(diagnostic);
     }
 
     /// A declared name must not look like the step bit of a step that there is.

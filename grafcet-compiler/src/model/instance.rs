@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::constant::a;
 use super::names::View;
 use super::resolver::Resolver;
-use super::{Binding, DeclarationKind, Expression, ExpressionKind, GraphId, VariableId};
+use super::{Binding, DeclarationKind, Expression, ExpressionKind, GraphId, Inside, VariableId};
 use crate::ast::{self, BindingTarget};
 use crate::diagnostic::{Diagnostic, Rule};
 use crate::source::Span;
@@ -45,11 +45,9 @@ impl<'a> Resolver<'a> {
     }
 
     fn report_missing_template(&mut self, name: &ast::Name) {
-        let help = self
-            .suggest(&name.text, |names| {
-                names.templates.keys().cloned().collect()
-            })
-            .map(|nearest| format!("did you mean `{nearest}`?"));
+        let help = self.suggest_or_list(&name.text, "", |names| {
+            names.templates.keys().cloned().collect()
+        });
         let message = format!("there is no template `{}`", name.text);
         self.report_with_help(
             Diagnostic::new(Rule::UnknownGraph, name.span, message),
@@ -75,6 +73,7 @@ impl<'a> Resolver<'a> {
             }
             (BindingTarget::Address(address), _) => {
                 self.model[id].binding = Binding::Address;
+                self.model[id].at = Some(address.span);
                 self.model[id].address = self.address(address, id);
             }
             (BindingTarget::Expression(value), DeclarationKind::Parameter) => {
@@ -127,11 +126,8 @@ impl<'a> Resolver<'a> {
                 self.report(diagnostic);
             }
             None => {
-                let nearest = self.suggest(&name.text, |_| interface);
-                self.report_with_help(
-                    diagnostic,
-                    nearest.map(|nearest| format!("did you mean `{nearest}`?")),
-                );
+                let help = self.suggest_or_list(&name.text, "", |_| interface);
+                self.report_with_help(diagnostic, help);
             }
         }
     }
@@ -194,6 +190,12 @@ impl<'a> Resolver<'a> {
             self.report(diagnostic);
             return;
         };
+        expression.visit(|part| {
+            if let ExpressionKind::Variable(constant) = part.kind {
+                self.model.constants_read.insert(constant);
+            }
+            Inside::Visit
+        });
         self.model[id].initial = Some(constant);
         self.model[id].initial_span = Some(value.span);
     }

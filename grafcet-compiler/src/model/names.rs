@@ -19,6 +19,8 @@ pub(super) struct Names<'a> {
     pub templates: BTreeMap<String, &'a ast::Graph>,
     /// Instances of templates that there are not: nothing is known of them, and nothing is said of what they lack.
     pub broken: BTreeSet<String>,
+    /// Names that are declared twice: which one is meant is not known, and nothing is said of how they are used.
+    pub disputed: BTreeSet<VariableId>,
     /// The names inside each graph.
     pub scopes: Vec<Scope>,
 }
@@ -30,6 +32,8 @@ pub(super) struct Scope {
     pub names: BTreeMap<String, VariableId>,
     /// Steps and macro steps by their identifiers.
     pub steps: BTreeMap<String, StepName>,
+    /// Identifiers that are given twice.
+    pub disputed: BTreeSet<String>,
     /// The template it is an instance of: inside, that name means this graph.
     pub template: Option<String>,
 }
@@ -68,8 +72,13 @@ pub(super) enum View<'v> {
     Plant(GraphId),
     /// Outside of all graphs: bindings and constants of the application.
     Application,
-    /// In a test with these plants, or in a property.
-    Claim(&'v [GraphId]),
+    /// In a test, or in a property.
+    Claim {
+        /// The plants that run with it.
+        plants: &'v [GraphId],
+        /// None of its plants is unknown, so that what is not found is not there.
+        whole: bool,
+    },
 }
 
 impl View<'_> {
@@ -77,7 +86,7 @@ impl View<'_> {
     pub fn home(self) -> Option<GraphId> {
         match self {
             View::Graph(graph) | View::Plant(graph) => Some(graph),
-            View::Application | View::Claim(_) => None,
+            View::Application | View::Claim { .. } => None,
         }
     }
 }
@@ -97,7 +106,8 @@ impl<'a> Resolver<'a> {
             }
             None => self.find_unqualified(&name.name, view),
         }?;
-        self.admit(found, name.span, view).then_some(found)
+        let disputed = matches!(found, Found::Variable(id) if self.names.disputed.contains(&id));
+        (!disputed && self.admit(found, name.span, view)).then_some(found)
     }
 
     fn find_system(&mut self, name: &ast::Name) -> Option<Found> {
@@ -129,15 +139,15 @@ impl<'a> Resolver<'a> {
         if let Some(id) = self.names.application.get(&name.text) {
             return Some(Found::Variable(*id));
         }
-        if let View::Claim(plants) = view {
-            return self.find_in_claim(name, plants);
+        if let View::Claim { plants, .. } = view {
+            return self.find_in_claim(name, plants, view);
         }
         self.report_missing(name, view);
         None
     }
 
     /// In a test or a property, what only one graph has may go unqualified.
-    fn find_in_claim(&mut self, name: &ast::Name, plants: &[GraphId]) -> Option<Found> {
+    fn find_in_claim(&mut self, name: &ast::Name, plants: &[GraphId], view: View) -> Option<Found> {
         let graphs: Vec<GraphId> = self
             .model
             .controller()
@@ -150,7 +160,7 @@ impl<'a> Resolver<'a> {
         match found.as_slice() {
             [(_, only)] => Some(*only),
             [] => {
-                self.report_missing(name, View::Claim(plants));
+                self.report_missing(name, view);
                 None
             }
             [(first, _), (second, _), ..] => {
@@ -212,7 +222,7 @@ impl<'a> Resolver<'a> {
                 ),
                 "read the input that the other plant writes".to_owned(),
             )),
-            View::Claim(plants) if plant && !plants.contains(&graph) => Some((
+            View::Claim { plants, .. } if plant && !plants.contains(&graph) => Some((
                 format!("the plant `{}` does not run here", name.text),
                 format!("write `with {}` behind the test's text", name.text),
             )),
@@ -257,120 +267,6 @@ impl<'a> Resolver<'a> {
         self.report(diagnostic);
         false
     }
-
-    fn report_missing(&mut self, name: &ast::Name, view: View) {
-        if let Some(step) = step_of(&name.text) {
-            match view.home() {
-                Some(home) => self.report_missing_step(home, name, step),
-                None => {
-                    let message = match view {
-                        View::Claim(_) => format!("no graph has a step {step}"),
-                        _ => format!("`{}` is a step bit, but of which graph?", name.text),
-                    };
-                    let diagnostic = Diagnostic::new(Rule::UnknownStep, name.span, message);
-                    let help = matches!(view, View::Application)
-                        .then(|| format!("write `Graph:{}`", name.text));
-                    self.report_with_help(diagnostic, help);
-                }
-            }
-            return;
-        }
-        let nearest = self.suggest(&name.text, |names| {
-            let plants = match view {
-                View::Claim(plants) => plants,
-                _ => &[],
-            };
-            let scopes = view.home().into_iter().chain(plants.iter().copied());
-            let inside = scopes.flat_map(|graph| names.scopes[graph.0].names.keys());
-            inside.chain(names.application.keys()).cloned().collect()
-        });
-        let help = nearest
-            .map(|nearest| format!("did you mean `{nearest}`?"))
-            .or_else(|| self.elsewhere(&name.text, view));
-        let diagnostic = Diagnostic::new(
-            Rule::UnknownName,
-            name.span,
-            format!("nothing is called `{}` here", name.text),
-        );
-        self.report_with_help(diagnostic, help);
-    }
-
-    /// Advice when another graph, or a plant that does not run here, has the name.
-    fn elsewhere(&self, name: &str, view: View) -> Option<String> {
-        let owner = (0..self.model.graphs.len())
-            .map(GraphId)
-            .find(|graph| self.names.scopes[graph.0].names.contains_key(name))?;
-        let graph = &self.model[owner];
-        match (view, graph.plant) {
-            (View::Claim(_), true) => Some(format!(
-                "the plant `{0}` has it: write `with {0}` behind the test's text",
-                graph.name
-            )),
-            (_, true) => None,
-            (_, false) => Some(format!(
-                "the graph `{0}` has it: write `{0}:{name}`",
-                graph.name
-            )),
-        }
-    }
-
-    fn report_missing_inside(&mut self, graph: GraphId, name: &ast::Name) {
-        if let Some(step) = step_of(&name.text) {
-            self.report_missing_step(graph, name, step);
-            return;
-        }
-        let nearest = self.suggest(&name.text, |names| {
-            names.scopes[graph.0].names.keys().cloned().collect()
-        });
-        let graph_name = &self.model[graph].name;
-        let help = match nearest {
-            Some(nearest) => Some(format!("did you mean `{graph_name}:{nearest}`?")),
-            None if self.names.application.contains_key(&name.text) => Some(format!(
-                "the application declares it: write `{}` alone",
-                name.text
-            )),
-            None => None,
-        };
-        let diagnostic = Diagnostic::new(
-            Rule::UnknownName,
-            name.span,
-            format!("the graph `{graph_name}` declares no `{}`", name.text),
-        );
-        self.report_with_help(diagnostic, help);
-    }
-
-    /// Reports that a graph has no such step; `name` is the place, `X7` or `7`.
-    pub(super) fn report_missing_step(&mut self, graph: GraphId, name: &ast::Name, step: &str) {
-        let nearest = self.suggest(step, |names| {
-            names.scopes[graph.0].steps.keys().cloned().collect()
-        });
-        let prefix = name.text.strip_suffix(step).unwrap_or("");
-        let help = nearest.map(|nearest| format!("did you mean `{prefix}{nearest}`?"));
-        let diagnostic = Diagnostic::new(
-            Rule::UnknownStep,
-            name.span,
-            format!("the graph `{}` has no step {step}", self.model[graph].name),
-        );
-        self.report_with_help(diagnostic, help);
-    }
-
-    fn report_missing_graph(&mut self, name: &ast::Name) {
-        let diagnostic = Diagnostic::new(
-            Rule::UnknownGraph,
-            name.span,
-            format!("there is no graph `{}`", name.text),
-        );
-        let help = if self.names.templates.contains_key(&name.text) {
-            Some(format!(
-                "`{0}` is a template: name an instance of it, `graph G = {0}`",
-                name.text
-            ))
-        } else {
-            self.suggest(&name.text, |names| names.graphs.keys().cloned().collect())
-                .map(|nearest| format!("did you mean `{nearest}`?"))
-        };
-        self.report_with_help(diagnostic, help);
-    }
 }
 
 /// The step identifier in a step bit: `3` in `X3`, `M5` in `XM5`.
@@ -385,7 +281,8 @@ pub(super) fn step_of(name: &str) -> Option<&str> {
 
 /// The known name nearest to one that is not known, if one is near at all.
 pub(super) fn nearest<'n>(name: &str, known: impl Iterator<Item = &'n str>) -> Option<&'n str> {
-    let far = name.chars().count().div_ceil(3).max(1);
+    let length = name.chars().count();
+    let far = length.div_ceil(3).min(length.saturating_sub(1));
     known
         .map(|it| {
             let same_but_case = it.to_lowercase() == name.to_lowercase();

@@ -234,6 +234,11 @@ impl Resolver<'_> {
             Binary::And | Binary::Or | Binary::Xor => {
                 Some("a number is compared first, as in `n > 0`")
             }
+            Binary::Less | Binary::LessOrEqual | Binary::Greater | Binary::GreaterOrEqual
+                if both_bool =>
+            {
+                Some("Booleans are equal, `=`, or not, `<>`")
+            }
             _ if left == Type::Bool || right == Type::Bool => Some("a Boolean is never a number"),
             Binary::Multiply => Some("a time is multiplied by an int"),
             Binary::Divide => Some("a time is divided by an int"),

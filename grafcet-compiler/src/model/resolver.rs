@@ -11,6 +11,9 @@ use crate::source::Span;
 /// nothing but unknown names must not take long.
 const SUGGESTION_BUDGET: usize = 2_000_000;
 
+/// So many names are listed when none is near.
+const MOST_LISTED: usize = 12;
+
 /// What is known while names are looked up.
 pub(super) struct Resolver<'a> {
     pub model: Model,
@@ -179,18 +182,48 @@ impl<'a> Resolver<'a> {
         self.report(diagnostic);
     }
 
-    /// The nearest of the known names, as long as looking for it does not take too long.
+    /// Advice to take the nearest of the known names, written with a prefix, as long as looking for it does not take
+    /// too long.
     pub fn suggest(
         &mut self,
         name: &str,
+        prefix: &str,
         known: impl FnOnce(&Names) -> Vec<String>,
     ) -> Option<String> {
+        let known = self.candidates(known)?;
+        let near = nearest(name, known.iter().map(String::as_str))?;
+        Some(format!("did you mean `{prefix}{near}`?"))
+    }
+
+    /// The same, or all that is known when none is near and there are few.
+    pub fn suggest_or_list(
+        &mut self,
+        name: &str,
+        prefix: &str,
+        known: impl FnOnce(&Names) -> Vec<String>,
+    ) -> Option<String> {
+        let mut known = self.candidates(known)?;
+        if let Some(near) = nearest(name, known.iter().map(String::as_str)) {
+            return Some(format!("did you mean `{prefix}{near}`?"));
+        }
+        known.sort_by_key(|it| (it.len(), it.clone()));
+        match known.as_slice() {
+            [only] => Some(format!("there is only `{prefix}{only}`")),
+            [first @ .., last] if first.len() < MOST_LISTED => {
+                let first = first.join(&format!("`, `{prefix}"));
+                Some(format!("there are `{prefix}{first}` and `{prefix}{last}`"))
+            }
+            _ => None,
+        }
+    }
+
+    fn candidates(&mut self, known: impl FnOnce(&Names) -> Vec<String>) -> Option<Vec<String>> {
         if self.suggestions_left == 0 {
             return None;
         }
         let known = known(&self.names);
         self.suggestions_left = self.suggestions_left.saturating_sub(known.len());
-        nearest(name, known.iter().map(String::as_str)).map(str::to_owned)
+        Some(known)
     }
 
     /// Which variable a name that an action writes stands for: an interface output may stand for another one.

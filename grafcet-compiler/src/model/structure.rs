@@ -202,6 +202,9 @@ impl<'a> Resolver<'a> {
             steps.insert(name.text.clone(), step);
             return;
         };
+        self.names.scopes[graph.0]
+            .disputed
+            .insert(name.text.clone());
         let first = self.place_of(first);
         let message = format!(
             "a second step {} in the graph `{}`",
@@ -226,7 +229,11 @@ impl<'a> Resolver<'a> {
             let number = self.transition_number(graph, &transition.number, &mut numbers);
             let entrance = self.links(graph, &transition.entrance);
             let exit = self.links(graph, &transition.exit);
-            self.check_joins(transition, &entrance, &exit);
+            let names = || transition.entrance.iter().chain(&transition.exit);
+            let disputed = &self.names.scopes[graph.0].disputed;
+            if !names().any(|name| disputed.contains(&name.text)) {
+                self.check_joins(transition, &entrance, &exit);
+            }
             let left = entrance.iter().filter_map(|(step, _)| match step {
                 StepName::Step(id) => Some(*id),
                 StepName::Macro(id) => self.model[*id].exit,

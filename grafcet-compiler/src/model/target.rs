@@ -123,7 +123,11 @@ impl Resolver<'_> {
         );
         let diagnostic = Diagnostic::new(Rule::TypeMismatch, value.span, message)
             .label(variable.span, "declared here");
-        self.report_with_help(diagnostic, advice(variable.ty, ty));
+        let truth = value
+            .constant(&self.model)
+            .is_some_and(|value| value == 0 || value == 1);
+        let help = advice(variable.ty, ty, truth);
+        self.report_with_help(diagnostic, help);
         false
     }
 
@@ -148,11 +152,13 @@ impl Resolver<'_> {
     }
 }
 
-fn advice(declared: super::Type, found: super::Type) -> Option<String> {
+/// What to do about a value of another type; `truth` says that it is the number 0 or 1.
+fn advice(declared: super::Type, found: super::Type, truth: bool) -> Option<String> {
     use super::Type::{Bool, Int, Time};
     let advice = match (declared, found) {
         (Time, Int) => "give it a unit, as in `2s`",
         (Int, Time) => "declare the variable with `: time`",
+        (Bool, Int) if truth => "write `TRUE` or `FALSE`",
         (Bool, _) => "compare it with something, as in `n > 0`",
         (_, Bool) => "a Boolean is never a number: write two statements, one with `IF`",
         _ => return None,

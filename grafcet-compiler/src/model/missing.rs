@@ -1,0 +1,126 @@
+//! What is said when a name is not found: with the nearest name, or with where it is to be found.
+
+use super::GraphId;
+use super::names::{View, step_of};
+use super::resolver::Resolver;
+use crate::ast;
+use crate::diagnostic::{Diagnostic, Rule};
+
+impl Resolver<'_> {
+    /// Nothing by that name.
+    pub(super) fn report_missing(&mut self, name: &ast::Name, view: View) {
+        if let View::Claim { whole, .. } = view
+            && !(whole && self.names.broken.is_empty())
+        {
+            // It may belong to a plant or a template that there is not, which has been said.
+            return;
+        }
+        if let Some(step) = step_of(&name.text) {
+            match view.home() {
+                Some(home) => self.report_missing_step(home, name, step),
+                None => {
+                    let message = match view {
+                        View::Claim { .. } => format!("no graph has a step {step}"),
+                        _ => format!("`{}` is a step bit, but of which graph?", name.text),
+                    };
+                    let diagnostic = Diagnostic::new(Rule::UnknownStep, name.span, message);
+                    let help = matches!(view, View::Application)
+                        .then(|| format!("write `Graph:{}`", name.text));
+                    self.report_with_help(diagnostic, help);
+                }
+            }
+            return;
+        }
+        let nearest = self.suggest(&name.text, "", |names| {
+            let plants = match view {
+                View::Claim { plants, .. } => plants,
+                _ => &[],
+            };
+            let scopes = view.home().into_iter().chain(plants.iter().copied());
+            let inside = scopes.flat_map(|graph| names.scopes[graph.0].names.keys());
+            inside.chain(names.application.keys()).cloned().collect()
+        });
+        let help = nearest.or_else(|| self.elsewhere(&name.text, view));
+        let diagnostic = Diagnostic::new(
+            Rule::UnknownName,
+            name.span,
+            format!("nothing is called `{}` here", name.text),
+        );
+        self.report_with_help(diagnostic, help);
+    }
+
+    /// Advice when another graph, or a plant that does not run here, has the name.
+    fn elsewhere(&self, name: &str, view: View) -> Option<String> {
+        let owner = (0..self.model.graphs.len())
+            .map(GraphId)
+            .find(|graph| self.names.scopes[graph.0].names.contains_key(name))?;
+        let graph = &self.model[owner];
+        match (view, graph.plant) {
+            (View::Claim { .. }, true) => Some(format!(
+                "the plant `{0}` has it: write `with {0}` behind the test's text",
+                graph.name
+            )),
+            (_, true) => None,
+            (_, false) => Some(format!(
+                "the graph `{0}` has it: write `{0}:{name}`",
+                graph.name
+            )),
+        }
+    }
+
+    /// Nothing by that name in that graph.
+    pub(super) fn report_missing_inside(&mut self, graph: GraphId, name: &ast::Name) {
+        if let Some(step) = step_of(&name.text) {
+            self.report_missing_step(graph, name, step);
+            return;
+        }
+        let graph_name = self.model[graph].name.clone();
+        let nearest = self.suggest(&name.text, &format!("{graph_name}:"), |names| {
+            names.scopes[graph.0].names.keys().cloned().collect()
+        });
+        let global = self.names.application.contains_key(&name.text);
+        let help = nearest.or_else(|| {
+            global.then(|| format!("the application declares it: write `{}` alone", name.text))
+        });
+        let diagnostic = Diagnostic::new(
+            Rule::UnknownName,
+            name.span,
+            format!("the graph `{graph_name}` declares no `{}`", name.text),
+        );
+        self.report_with_help(diagnostic, help);
+    }
+
+    /// Reports that a graph has no such step; `name` is the place, `X7` or `7`.
+    pub(super) fn report_missing_step(&mut self, graph: GraphId, name: &ast::Name, step: &str) {
+        let prefix = name.text.strip_suffix(step).unwrap_or("");
+        let help = self.suggest_or_list(step, prefix, |names| {
+            names.scopes[graph.0].steps.keys().cloned().collect()
+        });
+        let diagnostic = Diagnostic::new(
+            Rule::UnknownStep,
+            name.span,
+            format!("the graph `{}` has no step {step}", self.model[graph].name),
+        );
+        self.report_with_help(diagnostic, help);
+    }
+
+    /// No graph by that name.
+    pub(super) fn report_missing_graph(&mut self, name: &ast::Name) {
+        let diagnostic = Diagnostic::new(
+            Rule::UnknownGraph,
+            name.span,
+            format!("there is no graph `{}`", name.text),
+        );
+        let help = if self.names.templates.contains_key(&name.text) {
+            Some(format!(
+                "`{0}` is a template: name an instance of it, `graph G = {0}`",
+                name.text
+            ))
+        } else {
+            self.suggest_or_list(&name.text, "", |names| {
+                names.graphs.keys().cloned().collect()
+            })
+        };
+        self.report_with_help(diagnostic, help);
+    }
+}
