@@ -56,7 +56,8 @@ impl Engine<'_, '_> {
                 continue;
             };
             self.watch(graph.self_watches, pass);
-            self.give_self_orders(graph, index);
+            // An order of a superior stands against these, whose conditions are evaluated all the same.
+            self.give_orders(graph.self_orders, index);
             self.settle(graph, index, pass);
             self.watch(graph.watches, pass);
             self.give_orders(graph.orders, index);
@@ -150,12 +151,6 @@ impl Engine<'_, '_> {
     fn set_word(&mut self, word: usize, value: u32) {
         if let Some(word) = self.memory.image.get_mut(word) {
             *word = value;
-        }
-    }
-
-    fn give_self_orders(&mut self, graph: &Graph, by: u16) {
-        if self.standing(by).order.is_none() {
-            self.give_orders(graph.self_orders, by);
         }
     }
 

@@ -86,7 +86,8 @@ impl Engine<'_, '_> {
                 gate,
                 result,
             } => {
-                let open = gate.is_none_or(|gate| self.memory.bit(gate));
+                // Nothing is armed in scan 0, an event no more than a transition.
+                let open = gate.is_none_or(|gate| pass != Pass::Start && self.memory.bit(gate));
                 (open && self.holds(condition), result)
             }
         }
