@@ -27,7 +27,8 @@ Examples:
   grafcet test graphs/line_switcher.grafcet
   grafcet trace press.grafcet --stimulus press.csv --with Press --until 10000
 
-Exit codes: 0 all is well, 1 a program is refused or a test failed, 2 wrong usage or a file that cannot be used.";
+Exit codes: 0 all is well, 1 a program is refused or a test failed, 2 wrong usage or a file
+that cannot be used.";
 
 #[derive(Subcommand)]
 enum Command {

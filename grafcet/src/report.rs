@@ -29,7 +29,7 @@ impl Failure {
             Claimed::Never => format!("this holds {at}, and never should"),
             Claimed::Always => format!("this does not hold {at}, and always should"),
             Claimed::WaitUntil { within_ms } => {
-                format!("this did not come within {within_ms} ms, and it is not so {at}")
+                format!("this did not come within {within_ms} ms")
             }
         };
         let diagnostic = Diagnostic::new(self.claimed, self.span, message);

@@ -15,9 +15,10 @@ use super::{CommandError, GREEN, RED, STYLE, Verdict, accepted};
 
 /// Run the tests of programs
 #[derive(Args)]
+#[command(override_usage = "grafcet test [OPTIONS] <FILE>... [FILTER]")]
 #[command(after_help = "\
-The last argument is a filter when it is neither the name of a file nor ends in .grafcet: tests run whose names
-contain it.
+The last argument is a filter when it is neither the name of a file nor ends in .grafcet:
+tests run whose names contain it.
 
 Examples:
   grafcet test graphs/line_switcher.grafcet
@@ -27,7 +28,7 @@ Examples:
 Exit codes: 0 all passed, 1 one failed or a program is refused, 2 a file cannot be used.")]
 pub struct Arguments {
     /// Programs, and behind them a part of the names of the tests to run
-    #[arg(required = true, value_names = ["FILE", "FILTER"])]
+    #[arg(required = true, value_name = "FILE")]
     files: Vec<PathBuf>,
     /// Keep the trace of every test in this directory
     #[arg(long, value_name = "DIR")]
@@ -37,6 +38,8 @@ pub struct Arguments {
 /// A program with the tests to run.
 struct Suite<'a> {
     path: &'a Path,
+    /// What the names of its traces begin with.
+    name: String,
     sources: Sources,
     application: Application,
 }
@@ -55,6 +58,7 @@ pub fn run(arguments: &Arguments) -> Result<Verdict, CommandError> {
         if let Some((sources, application)) = accepted(path)? {
             suites.push(Suite {
                 path,
+                name: name(&application, &suites),
                 sources,
                 application,
             });
@@ -67,6 +71,17 @@ pub fn run(arguments: &Arguments) -> Result<Verdict, CommandError> {
         fs::create_dir_all(directory).map_err(CommandError::file(directory))?;
     }
     run_all(&suites, &filter, arguments.trace.as_deref())
+}
+
+/// The application's name; with a number behind it where another program before it has the same.
+fn name(application: &Application, before: &[Suite<'_>]) -> String {
+    let same = before
+        .iter()
+        .filter(|suite| suite.application.name == application.name);
+    match same.count() {
+        0 => application.name.clone(),
+        others => format!("{}-{}", application.name, others + 1),
+    }
 }
 
 /// The files, and the filter behind them; an empty one when there is none.
@@ -182,7 +197,6 @@ impl Suite<'_> {
         let words = test.name.split(|c: char| !c.is_alphanumeric());
         let words: Vec<&str> = words.filter(|word| !word.is_empty()).collect();
         let slug: String = words.join("_").chars().take(60).collect();
-        let application = &self.application.name;
-        format!("{application}.{:02}.{slug}.csv", index + 1)
+        format!("{}.{:02}.{slug}.csv", self.name, index + 1)
     }
 }

@@ -16,8 +16,9 @@ use super::{CommandError, Verdict, accepted};
 /// Run a program on a stimulus and print what every scan leaves, as CSV
 #[derive(Args)]
 #[command(after_help = "\
-The stimulus is CSV: a column time_ms, and one for each input or parameter that is given. A row holds from its time
-on; an empty cell keeps the value. Inputs without a column are 0, or what a plant writes.
+The stimulus is CSV: a column time_ms, and one for each input or parameter that is given.
+A row holds from its time on; an empty cell keeps the value. Inputs without a column are 0,
+or what a plant writes.
 
   time_ms,start,delay
   0,0,2000
@@ -25,7 +26,7 @@ on; an empty cell keeps the value. Inputs without a column are 0, or what a plan
 
 Examples:
   grafcet trace drill.grafcet --stimulus drill.csv
-  grafcet trace drill.grafcet --stimulus drill.csv --with Press --until 10000 -o drill.trace.csv")]
+  grafcet trace drill.grafcet --with Press --until 10000 -o drill.trace.csv")]
 pub struct Arguments {
     /// The program
     file: PathBuf,

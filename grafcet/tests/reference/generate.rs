@@ -37,7 +37,7 @@ pub fn stimulus() -> impl Strategy<Value = Vec<Given>> {
         option::weighted(0.2, select(vec![0, 500, 1000, 2000, 2500, 4000, -1])),
     );
     let given = given.prop_map(|(a, b, c, n, p, d)| Given { a, b, c, n, p, d });
-    vec(given, 1..24)
+    vec(given, 8..40)
 }
 
 pub fn program() -> impl Strategy<Value = Program> {
@@ -48,24 +48,28 @@ pub fn program() -> impl Strategy<Value = Program> {
 fn graph() -> impl Strategy<Value = Graph> {
     (
         vec(statement(), 0..3),
-        vec(step(), 1..6),
+        vec(step(), 2..6),
         prop_oneof![3 => Just(0usize), 1 => 2..4usize],
-        vec(transition(), 1..8),
+        vec(transition(), 1..10),
         vec(statement(), 0..2),
+        prop::bool::weighted(0.9),
     )
-        .prop_map(|(first, steps, expansion, transitions, last)| Graph {
-            first,
-            steps,
-            expansion,
-            transitions,
-            last,
+        .prop_map(|(first, mut steps, expansion, transitions, last, begins)| {
+            steps[0].initial |= begins;
+            Graph {
+                first,
+                steps,
+                expansion,
+                transitions,
+                last,
+            }
         })
 }
 
 fn step() -> impl Strategy<Value = Step> {
     (
-        prop::bool::weighted(0.4),
-        option::weighted(0.15, (0..3usize, set())),
+        prop::bool::weighted(0.5),
+        option::weighted(0.1, (0..3usize, set())),
         vec(statement(), 0..3),
     )
         .prop_map(|(initial, encloses, statements)| Step {
@@ -81,8 +85,8 @@ fn set() -> impl Strategy<Value = BTreeSet<usize>> {
 
 fn transition() -> impl Strategy<Value = Transition> {
     let of = |count: usize| btree_set(0..6usize, count);
-    let steps = || prop_oneof![1 => of(0), 6 => of(1), 2 => of(2)];
-    (steps(), steps(), boolean(), vec(store(), 0..2)).prop_map(|(from, to, trigger, action)| {
+    let steps = || prop_oneof![1 => of(0), 8 => of(1), 1 => of(2)];
+    (steps(), steps(), trigger(), vec(store(), 0..2)).prop_map(|(from, to, trigger, action)| {
         Transition {
             from,
             to,
@@ -92,6 +96,23 @@ fn transition() -> impl Strategy<Value = Transition> {
     })
 }
 
+/// Most of these become True sooner or later, so that most transitions fire.
+fn trigger() -> impl Strategy<Value = Boolean> {
+    let input = || (0..3usize).prop_map(Boolean::Input);
+    let boxed = || input().prop_map(Box::new);
+    let step = (0..3usize, 0..6usize).prop_map(|(graph, step)| Boolean::Step(graph, step));
+    prop_oneof![
+        2 => Just(Boolean::Constant(true)),
+        4 => input(),
+        2 => boxed().prop_map(Boolean::Not),
+        2 => boxed().prop_map(Boolean::Rising),
+        1 => boxed().prop_map(Boolean::Falling),
+        2 => (step, time()).prop_map(|(step, preset)| Boolean::Timer(Box::new(step), Preset::Time(preset))),
+        3 => boolean(),
+        3 => (boxed(), boolean()).prop_map(|(input, e)| Boolean::Or(input, Box::new(e))),
+    ]
+}
+
 fn statement() -> impl Strategy<Value = Statement> {
     let momentary = (btree_set(0..3usize, 1..3), option::of(boolean()));
     let situation = prop_oneof![
@@ -99,10 +120,10 @@ fn statement() -> impl Strategy<Value = Statement> {
         1 => Just(Situation::Initial),
         2 => Just(Situation::Current),
     ];
-    let condition = option::weighted(0.8, boolean());
+    let condition = option::weighted(0.9, boolean());
     prop_oneof![
-        3 => momentary.prop_map(|(targets, condition)| Statement::Momentary(targets, condition)),
-        3 => store().prop_map(Statement::Stored),
+        4 => momentary.prop_map(|(targets, condition)| Statement::Momentary(targets, condition)),
+        4 => store().prop_map(Statement::Stored),
         1 => store().prop_map(Statement::OnActivation),
         1 => store().prop_map(Statement::OnDeactivation),
         1 => (boolean(), store()).prop_map(|(event, store)| Statement::OnEvent(event, store)),

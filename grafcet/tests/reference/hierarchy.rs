@@ -87,9 +87,9 @@ impl<'p> Machine<'p> {
     pub fn settle_hierarchy(&mut self, pass: Pass, fired: &mut Fired) {
         self.in_hierarchy = true;
         let program = self.program;
-        // What step 2 of scan 0 gave is `{*}` there.
-        let current = match pass {
-            Pass::Scan0 => self.x.clone(),
+        // `{*}` is the initial situation in scan 0.
+        let current: Situations = match pass {
+            Pass::Scan0 => program.graphs.iter().map(initial).collect(),
             Pass::First | Pass::LaterRound => self.before.clone(),
         };
         let mut orders: BTreeMap<usize, &'p Situation> = BTreeMap::new();

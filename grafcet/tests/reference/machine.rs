@@ -42,6 +42,8 @@ pub struct Machine<'p> {
     pub operators: Operators,
     /// True in phase 4.
     pub in_hierarchy: bool,
+    /// The transitions that have fired since the start.
+    pub ever_fired: Fired,
     /// The graphs that were under a valid order in the previous scan (round).
     pub held: BTreeSet<usize>,
 }
@@ -71,6 +73,7 @@ impl<'p> Machine<'p> {
             operators: Operators::new(),
             in_hierarchy: false,
             held: BTreeSet::new(),
+            ever_fired: Fired::new(),
         }
     }
 
@@ -159,6 +162,7 @@ impl<'p> Machine<'p> {
         let mut fired = self.fire();
         self.settle_hierarchy(pass, &mut fired);
         self.stamp();
+        self.ever_fired.extend(&fired);
         (fired, events)
     }
 

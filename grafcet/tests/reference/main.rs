@@ -10,6 +10,7 @@ mod hierarchy;
 mod machine;
 mod program;
 
+use std::cell::Cell;
 use std::fmt::Write as _;
 
 use grafcet::machine::Bench;
@@ -18,7 +19,7 @@ use grafcet::stimulus::Stimulus;
 use grafcet::trace;
 use grafcet_compiler::Target;
 use grafcet_compiler::render::{Style, render};
-use proptest::test_runner::{Config, TestCaseError, TestRunner};
+use proptest::test_runner::{Config, TestCaseError, TestError, TestRunner};
 
 use generate::Given;
 use machine::{Machine, T};
@@ -35,19 +36,27 @@ fn engine_and_reference_give_equal_traces() {
         ..Config::with_source_file(file!())
     });
     let inputs = (generate::program(), generate::stimulus());
+    // Transitions in all, and those that fired.
+    let fired = Cell::new([0, 0]);
     let verdict = runner.run(&inputs, |(program, stimulus)| {
         let text = program.to_string();
         let csv = csv(&stimulus);
         let engine = by_engine(&text, &csv).map_err(TestCaseError::fail)?;
-        let reference = by_reference(&program, &stimulus);
+        let reference = by_reference(&program, &stimulus, &fired);
         if engine == reference {
             return Ok(());
         }
         let story = differences(&engine, &reference);
         Err(TestCaseError::fail(format!("{text}\n{csv}\n{story}")))
     });
-    if let Err(error) = verdict {
-        panic!("{error}");
+    match verdict {
+        Ok(()) => {
+            let [all, some] = fired.get();
+            println!("{some} of {all} transitions fired");
+            assert!(2 * some > all, "most transitions fire: {some} of {all}");
+        }
+        Err(TestError::Fail(reason, _)) => panic!("{reason}"),
+        Err(TestError::Abort(reason)) => panic!("no comparison: {reason}"),
     }
 }
 
@@ -93,7 +102,11 @@ fn by_engine(text: &str, csv: &str) -> Result<Vec<Vec<String>>, String> {
 }
 
 /// The rows of the trace that the second interpreter gives.
-fn by_reference(program: &Program, stimulus: &[Given]) -> Vec<Vec<String>> {
+fn by_reference(
+    program: &Program,
+    stimulus: &[Given],
+    fired: &Cell<[usize; 2]>,
+) -> Vec<Vec<String>> {
     let mut machine = Machine::new(program);
     let (mut p, mut d) = (None, None);
     let mut rows = Vec::new();
@@ -111,6 +124,9 @@ fn by_reference(program: &Program, stimulus: &[Given]) -> Vec<Vec<String>> {
         }
         rows.push(machine.row());
     }
+    let [all, some] = fired.get();
+    let transitions: usize = program.graphs.iter().map(|g| g.transitions.len()).sum();
+    fired.set([all + transitions, some + machine.ever_fired.len()]);
     rows
 }
 

@@ -3,10 +3,12 @@
 mod actions;
 mod edges;
 mod firing;
+mod hierarchy;
 mod numbers;
 mod plants;
 mod power;
 mod run;
+mod stable;
 mod tests;
 mod timers;
 mod worked;

@@ -100,22 +100,22 @@ fn plants_live_on_and_see_the_outputs_off_until_scan_0_is_over() {
         graph G { initial step 1 { ON }; always { ON IF i } }
         plant P {
             var scans : int = 0
-            var on : int = 0
+            var seen : int = 0
             var edges : int = 0
             always {
                 scans = scans + 1
-                on = on + 1 IF ON
+                seen = seen + 1 IF ON
                 edges = edges + 1 IF ↑ON
                 i IF False
             }
         }
         test \"one life\" with P {
             wait 3 scans
-            expect P:scans = 4 AND P:on = 3 AND P:edges = 1
+            expect P:scans = 4 AND P:seen = 3 AND P:edges = 1
             power cycle
-            expect P:scans = 5 AND P:on = 3
+            expect P:scans = 5 AND P:seen = 3
             wait 1 scans
-            expect P:scans = 6 AND P:on = 4 AND P:edges = 2
+            expect P:scans = 6 AND P:seen = 4 AND P:edges = 2
         }
     ",
     );

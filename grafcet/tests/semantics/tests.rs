@@ -148,12 +148,12 @@ fn a_failure_tells_the_values_and_the_last_scans() {
         failure.values
     );
     assert!(
-        failure.values.contains(&("n".to_owned(), 20)),
+        failure.values.contains(&("G:n".to_owned(), 20)),
         "{:?}",
         failure.values
     );
     let details = failure.details();
     let last = details.lines().last().expect("a table");
     let cells: Vec<&str> = last.split_whitespace().collect();
-    assert_eq!(cells, ["200", "1", "20", "1"], "{details}");
+    assert_eq!(cells, ["200", "1", "1", "20"], "{details}");
 }
