@@ -2,7 +2,7 @@
 //!
 //! `PLC=other.toml` in the environment builds another application; its path begins at the top of the repository.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::{env, fs, io, process};
 
 use wiring::Loaded;
@@ -59,7 +59,7 @@ fn application(loaded: &Loaded, bare_metal: bool) -> Result<String, String> {
 }
 
 /// Hands the memories to the linker: `memory.x` as it stands, and what it includes.
-fn link(loaded: &Loaded, out: &PathBuf) -> io::Result<()> {
+fn link(loaded: &Loaded, out: &Path) -> io::Result<()> {
     if let Some((_, wires)) = &loaded.image {
         fs::write(out.join("retain.x"), wiring::emit::retain_script(wires))?;
     }
