@@ -152,13 +152,13 @@ impl<'p> Machine<'p> {
         if pass == Pass::Scan0 && self.at_start(index, &self.x).is_some() {
             return None;
         }
-        let activated = self
+        let mut activated = self
             .enclosings(index)
             .into_iter()
             .filter(|(graph, step, _)| {
                 self.x[*graph].contains(step) && !self.before[*graph].contains(step)
             });
-        if let Some((_, _, set)) = activated.last() {
+        if let Some((_, _, set)) = activated.next_back() {
             return Some(set.clone());
         }
         self.held.contains(&index).then(|| current.clone())

@@ -3,6 +3,8 @@
 //! `GRAFCET_PROGRAMS=100000 cargo test -p grafcet --test reference` compares more of them. A failure is shrunk; the
 //! program and the stimulus that are left are printed, and their seed is kept for the next run.
 
+#![allow(clippy::expect_used, reason = "a test whose scene cannot be set fails")]
+
 mod expression;
 mod fit;
 mod generate;

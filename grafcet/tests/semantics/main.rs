@@ -1,5 +1,7 @@
 //! Claims of `semantics.md`, from text to trace: each program here is compiled and run like a user's.
 
+#![allow(clippy::expect_used, reason = "a test whose scene cannot be set fails")]
+
 mod actions;
 mod edges;
 mod firing;
