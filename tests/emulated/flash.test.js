@@ -111,8 +111,15 @@ test('--help teaches and succeeds', () => {
   for (const word of ['Usage:', '--probe', '--drive DIRECTORY', 'BOOTSEL', 'PLC=']) assert.ok(stdout.includes(word), word);
 });
 
-test('an unknown argument is refused before anything is built', () => {
-  const { status, stderr } = flash('--usb');
-  assert.equal(status, 2);
-  assert.match(stderr, /unknown argument --usb/);
+test('an unknown argument and a drive that is not there are refused before anything is built', () => {
+  for (const [args, message] of [
+    [['--usb'], /unknown argument --usb/],
+    [['--drive'], /--drive needs a directory/],
+    [['--drive', '/nowhere'], /--drive needs a directory, not `\/nowhere`/],
+  ]) {
+    const { status, stderr } = flash(...args);
+    assert.equal(status, 2, stderr);
+    assert.match(stderr, message);
+    assert.doesNotMatch(stderr, /building/);
+  }
 });
