@@ -187,7 +187,15 @@ fn nearest(name: &str, symbols: &Symbols) -> Option<String> {
         .iter()
         .enumerate()
         .filter(|(index, variable)| given(&variable.name, Some(*index), symbols).is_ok())
-        .map(|(_, variable)| (strsim::damerau_levenshtein(name, &variable.name), variable))
+        .map(|(_, variable)| {
+            // Who writes `start` may mean `Drill:start`.
+            let local = variable.name.rsplit(':').next().unwrap_or_default();
+            let distance = strsim::damerau_levenshtein(name, &variable.name);
+            (
+                distance.min(strsim::damerau_levenshtein(name, local)),
+                variable,
+            )
+        })
         .filter(|(distance, _)| *distance <= 1 + name.chars().count() / 3)
         .min_by_key(|(distance, _)| *distance)
         .map(|(_, variable)| variable.name.clone())

@@ -15,7 +15,8 @@ input level : int at %IW0 in 0 .. 100
 var high : int = 0
 output TALL
 graph Drill {
-    always { high = level; TALL IF high > 99 }
+    input heat
+    always { high = level; TALL IF heat; TALL IF high > 99 }
     initial step 1 { RAISE IF NOT up }
     step 2 { SPIN }
     transition 1: 1 -> 2 when ↑start

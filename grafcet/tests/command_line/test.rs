@@ -24,7 +24,7 @@ fn tests_are_reported_like_cargos() {
         said.out.contains("error[never]: this holds at 10 ms"),
         "{said:?}"
     );
-    assert!(said.out.contains("drill.grafcet:23:"), "the line: {said:?}");
+    assert!(said.out.contains("drill.grafcet:24:"), "the line: {said:?}");
     assert!(
         said.out.contains("at 10 ms: SPIN = 1\n"),
         "the values: {said:?}"

@@ -68,6 +68,10 @@ fn a_bad_stimulus_gets_one_line_with_its_place() {
             "s.csv:1: no input or parameter is called `strat`; is `start` meant?",
         ),
         (
+            "time_ms,heat\n",
+            "s.csv:1: no input or parameter is called `heat`; is `Drill:heat` meant?",
+        ),
+        (
             "time_ms,SPIN\n",
             "s.csv:1: `SPIN` is an output; a stimulus gives inputs and parameters",
         ),
