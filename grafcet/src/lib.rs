@@ -4,8 +4,8 @@
 //! - [`machine`]: one program on its engine, across power cycles;
 //! - [`simulation`]: a controller and its plants in lock step;
 //! - [`images`]: what the images hold, as people read it;
-//! - [`stimulus`] and [`trace`]: CSV in, CSV out;
-//! - [`testing`]: the tests of the language;
+//! - [`stimulus`], [`player`] and [`trace`]: CSV in, scan by scan, CSV out;
+//! - [`testing`], [`report`] and [`table`]: the tests of the language, and what is shown when one fails;
 //! - [`symbols`]: where everything lies, for tools that look into a memory;
 //! - [`source`]: files in.
 
