@@ -1,7 +1,7 @@
 //! The parser's place among the tokens: looking, taking and complaining.
 
 use crate::diagnostic::{Diagnostic, Rule};
-use crate::lexer::token::{Token, TokenKind};
+use crate::lexer::token::{Keyword, Token, TokenKind};
 use crate::literals;
 use crate::report::Report;
 use crate::source::{FileId, Span};
@@ -140,6 +140,14 @@ impl<'a> Parser<'a> {
             self.index += 1;
         }
         token
+    }
+
+    /// Takes the name that comes next for a reserved word, after it has been reported.
+    pub(super) fn read_as(&mut self, word: Keyword) {
+        let token = self.tokens.get_mut(self.index);
+        if let Some(token) = token.filter(|token| token.kind == TokenKind::Name) {
+            token.kind = TokenKind::Keyword(word);
+        }
     }
 
     /// Takes the next token if it is of a kind.

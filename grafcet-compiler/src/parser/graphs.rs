@@ -21,6 +21,16 @@ enum Body {
     Macro,
 }
 
+impl Body {
+    /// What may stand in it.
+    fn parts(self) -> &'static str {
+        match self {
+            Body::Graph => "a declaration, a step, a transition or `always`",
+            Body::Macro => "a step or a transition",
+        }
+    }
+}
+
 impl Parser<'_> {
     /// `"text" { .. }` behind the name of a graph, a template or a plant.
     pub(super) fn graph_body(
@@ -50,7 +60,7 @@ impl Parser<'_> {
 
     fn element(&mut self, body: Body) -> Parsed<Element> {
         let start = self.next_token();
-        let TokenKind::Keyword(word) = self.peek() else {
+        let Some(word) = self.element_word(body.parts()) else {
             return Err(self.element_missing(body));
         };
         match word {
@@ -99,35 +109,13 @@ impl Parser<'_> {
     }
 
     fn element_missing(&mut self, body: Body) -> Failed {
-        let what = match body {
-            Body::Graph => "a declaration, a step, a transition or `always`",
-            Body::Macro => "a step or a transition",
-        };
-        match self.nearest_keyword() {
-            Some(word) => self.expected_help(what, format!("did you mean `{word}`?")),
-            None if matches!(self.peek(), TokenKind::Name | TokenKind::Text) => self.expected_help(
-                what,
+        match self.peek() {
+            TokenKind::Name | TokenKind::Text => self.expected_help(
+                body.parts(),
                 "what is done stands in the braces of a step or of `always`",
             ),
-            None => self.expected(what),
+            _ => self.expected(body.parts()),
         }
-    }
-
-    /// The reserved word that the next token may have been meant to be: in another case, or nearly so written.
-    pub(super) fn nearest_keyword(&self) -> Option<&'static str> {
-        const LONGEST: usize = 20;
-        let word = self.text_of(self.next_token());
-        if !self.at(TokenKind::Name) || word.len() > LONGEST {
-            return None;
-        }
-        let lower = word.to_lowercase();
-        Keyword::ALL
-            .iter()
-            .filter(|keyword| keyword.begins_element())
-            .map(|keyword| (strsim::osa_distance(&lower, keyword.word()), keyword.word()))
-            .filter(|(distance, keyword)| *distance <= keyword.len() / 4)
-            .min()
-            .map(|(_, keyword)| keyword)
     }
 
     /// `initial step 3 "text" encloses G{1} { .. }`, with `entry` or `exit` in front in an expansion.

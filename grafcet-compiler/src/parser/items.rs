@@ -8,6 +8,9 @@ use super::cursor::{Failed, Parsed, Parser};
 use super::graphs::ADVICE;
 use super::recovery::Room;
 
+/// What may stand in a file.
+const WHAT: &str = "a declaration, a graph, a plant, a property or a test";
+
 impl Parser<'_> {
     /// The whole file.
     pub(super) fn file(mut self) -> File {
@@ -42,7 +45,7 @@ impl Parser<'_> {
     /// One import, option or item.
     fn file_part(&mut self, file: &mut File) -> Parsed<()> {
         let start = self.next_token();
-        let TokenKind::Keyword(word) = self.peek() else {
+        let Some(word) = self.element_word(WHAT) else {
             return Err(self.item_missing());
         };
         match word {
@@ -63,7 +66,6 @@ impl Parser<'_> {
             Keyword::Application => self.application(file, start)?,
             Keyword::Scan | Keyword::Evolution => {
                 let option = self.option(word, start)?;
-                self.refuse_second_option(&option, &file.options);
                 file.options.push(option);
             }
             _ => {
@@ -111,22 +113,6 @@ impl Parser<'_> {
         Ok(ScanOption::Evolution { stable, span })
     }
 
-    /// A period or an evolution that another one contradicts.
-    fn refuse_second_option(&mut self, option: &ScanOption, others: &[ScanOption]) {
-        let parts = |option: &ScanOption| match option {
-            ScanOption::Period(period) => ("scan", period.span),
-            ScanOption::Evolution { span, .. } => ("evolution", *span),
-        };
-        let (word, span) = parts(option);
-        if let Some((_, first)) = others.iter().map(parts).find(|(other, _)| *other == word) {
-            self.push(
-                Diagnostic::new(Rule::Syntax, span, format!("`{word}` is given twice"))
-                    .label(first, "given here first")
-                    .help("remove one of the two"),
-            );
-        }
-    }
-
     fn item(&mut self, word: Keyword, start: Token) -> Parsed<Item> {
         match word {
             Keyword::Input
@@ -160,10 +146,6 @@ impl Parser<'_> {
     }
 
     fn item_missing(&mut self) -> Failed {
-        const WHAT: &str = "a declaration, a graph, a plant, a property or a test";
-        if let Some(word) = self.nearest_keyword() {
-            return self.expected_help(WHAT, format!("did you mean `{word}`?"));
-        }
         match self.peek() {
             TokenKind::Keyword(
                 Keyword::Initial

@@ -182,6 +182,37 @@ impl Parser<'_> {
         }
     }
 
+    /// The word that begins the next element. One that is nearly so written is reported and read as it was meant, so
+    /// that what it declares is known.
+    pub(super) fn element_word(&mut self, what: &str) -> Option<Keyword> {
+        if let TokenKind::Keyword(word) = self.peek() {
+            return Some(word);
+        }
+        let word = self
+            .nearest_keyword()
+            .filter(|&word| self.begins_element(word))?;
+        self.expected_help(what, format!("did you mean `{}`?", word.word()));
+        self.read_as(word);
+        Some(word)
+    }
+
+    /// The word that the next token may have been meant to be: in another case, or nearly so written.
+    fn nearest_keyword(&self) -> Option<Keyword> {
+        const LONGEST: usize = 20;
+        let word = self.text_of(self.next_token());
+        if !self.at(TokenKind::Name) || word.len() > LONGEST {
+            return None;
+        }
+        let lower = word.to_lowercase();
+        Keyword::ALL
+            .iter()
+            .filter(|keyword| keyword.begins_element())
+            .map(|&keyword| (strsim::osa_distance(&lower, keyword.word()), keyword))
+            .filter(|(distance, keyword)| *distance <= keyword.word().len() / 4)
+            .min_by_key(|(distance, _)| *distance)
+            .map(|(_, keyword)| keyword)
+    }
+
     /// Whether the keyword that comes next begins an element rather than being used as a name.
     pub(super) fn begins_element(&self, word: Keyword) -> bool {
         word.begins_element()

@@ -45,18 +45,6 @@ fn imports_and_the_application_stand_first() {
 }
 
 #[test]
-fn an_option_is_given_once() {
-    assert_eq!(
-        wrong("scan 10ms\nscan 20ms"),
-        ["syntax 2: `scan` is given twice"]
-    );
-    assert_eq!(
-        wrong("evolution scan\nevolution stable"),
-        ["syntax 2: `evolution` is given twice"]
-    );
-}
-
-#[test]
 fn steps_are_initial_enclose_graphs_and_have_texts_and_actions() {
     let read = step("initial step 3 \"home\" encloses Saw{1}, Door{E1, 2} { A }");
     assert!(read.initial);

@@ -21,10 +21,10 @@ fn each_wrong_line_is_reported_once() {
 
 #[test]
 fn an_unknown_element_is_skipped_with_its_braces() {
-    let text = "graph G {\nstepp 3 {\nA;\nB IF { C }\n}\nstep 4\n}\ninput a";
+    let text = "graph G {\nunit 3 {\nA;\nB IF { C }\n}\nstep 4\n}\ninput a";
     assert_eq!(
         wrong(text),
-        ["syntax 2: expected a declaration, a step, a transition or `always`, found `stepp`"]
+        ["syntax 2: expected a declaration, a step, a transition or `always`, found `unit`"]
     );
     let (file, _) = read(text);
     assert_eq!(file.items.len(), 2);
@@ -115,4 +115,12 @@ fn elements_in_the_wrong_room_are_told_where_they_belong() {
         assert_eq!(diagnostics.len(), 1, "{text}");
         assert_eq!(diagnostics[0].help.as_deref(), Some(help), "{text}");
     }
+}
+
+#[test]
+fn a_word_that_is_nearly_right_is_read_as_it_was_meant() {
+    let (file, diagnostics) = read("imput a\nGraph G {\nstepp 3 { A }\ninitial step 4 { A }\n}");
+    assert_eq!(diagnostics.len(), 3);
+    assert!(matches!(&file.items[0], Item::Declaration(_)));
+    assert!(matches!(&file.items[1], Item::Graph(graph) if graph.elements.len() == 2));
 }
