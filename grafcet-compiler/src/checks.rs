@@ -61,3 +61,18 @@ fn expressions_of(model: &Model, graph: GraphId) -> impl Iterator<Item = &Expres
 fn expressions(model: &Model) -> impl Iterator<Item = &Expression> {
     (0..model.graphs.len()).flat_map(|graph| expressions_of(model, GraphId(graph)))
 }
+
+/// So many parts of a ring are shown.
+const MOST_SHOWN: usize = 8;
+
+/// The names of a ring, back to the first.
+fn round_trip(names: &[&str]) -> String {
+    let first = names.first().copied().unwrap_or_default();
+    let mut shown = names[..names.len().min(MOST_SHOWN)].join("` -> `");
+    if names.len() > MOST_SHOWN {
+        shown += "` -> .. -> `";
+    } else {
+        shown += "` -> `";
+    }
+    format!("`{shown}{first}`")
+}

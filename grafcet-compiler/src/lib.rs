@@ -22,5 +22,4 @@ mod report;
 pub mod source;
 
 pub use compile::{Compilation, Target, compile};
-pub use lower::{Fault, check_tables};
 pub use parser::parse;

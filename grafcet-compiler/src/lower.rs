@@ -18,14 +18,11 @@ mod plant;
 mod pool;
 mod symbols;
 mod unit;
-mod validity;
 mod watch;
 
 use crate::application::Application;
 use crate::diagnostic::Diagnostic;
 use crate::model::Model;
-
-pub use validity::{Fault, check as check_tables};
 
 /// Lowers a model without errors. What refuses it here is its size alone.
 pub(crate) fn lower(model: &Model) -> Result<Application, Vec<Diagnostic>> {

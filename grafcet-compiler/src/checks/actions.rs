@@ -140,17 +140,16 @@ fn ring(
         return Diagnostic::new(Rule::CausalityLoop, first.span, message)
             .help(format!("store it: `{name} = {condition}`"));
     }
-    let names: Vec<String> = ring
+    let names: Vec<&str> = ring
         .iter()
-        .map(|(_, read)| format!("`{}`", model[*read].name))
+        .map(|(_, read)| model[*read].name.as_str())
         .collect();
     let message = format!(
-        "momentary actions depend on each other in a ring within one scan: {} -> {}",
-        names.join(" -> "),
-        names[0]
+        "momentary actions depend on each other in a ring within one scan: {}",
+        super::round_trip(&names)
     );
     let mut diagnostic = Diagnostic::new(Rule::CausalityLoop, first.span, message);
-    for (index, _) in &ring[1..] {
+    for (index, _) in ring.iter().take(super::MOST_SHOWN).skip(1) {
         let place = statement(*index).span;
         if place != first.span {
             diagnostic = diagnostic.label(place, "part of the ring");

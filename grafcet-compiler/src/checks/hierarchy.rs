@@ -61,21 +61,22 @@ fn report_rings(
 }
 
 fn ring(model: &Model, ring: &[(GraphId, Span)]) -> Diagnostic {
-    let name = |index: usize| format!("`{}`", model[ring[index].0].name);
-    if ring.len() == 1 {
-        let message = format!("the graph {} encloses itself", name(0));
+    // From superior to inferior, as the statements read.
+    let graphs = ring.iter().rev();
+    let names: Vec<&str> = graphs
+        .map(|(graph, _)| model[*graph].name.as_str())
+        .collect();
+    if let [name] = names[..] {
+        let message = format!("the graph `{name}` encloses itself");
         return Diagnostic::new(Rule::ForcingCycle, ring[0].1, message)
             .help("a step encloses other graphs only");
     }
-    // From superior to inferior, as the statements read.
-    let names: Vec<String> = (0..ring.len()).rev().map(name).collect();
     let message = format!(
-        "graphs force or enclose each other in a ring: {} -> {}",
-        names.join(" -> "),
-        names[0]
+        "graphs force or enclose each other in a ring: {}",
+        super::round_trip(&names)
     );
     let mut diagnostic = Diagnostic::new(Rule::ForcingCycle, ring[0].1, message);
-    for (_, span) in &ring[1..] {
+    for (_, span) in ring.iter().take(super::MOST_SHOWN).skip(1) {
         diagnostic = diagnostic.label(*span, "part of the ring");
     }
     diagnostic.help("a hierarchy has a top: let one of them be ruled only")

@@ -1,0 +1,148 @@
+//! Graphs, links, hierarchy and the order of statements.
+
+use grafcet_compiler::application::Tables;
+use grafcet_core::program::{Bit, Forced, Run, Slot};
+
+use crate::{application, graph, tables};
+
+#[test]
+fn a_transition_is_armed_by_its_first_entrance_step_or_by_its_graph() {
+    let tables = graph(
+        "initial step 1; step 2; step 3\ntransition 1: 2, 1 -> 3\ntransition 2: -> 1 when a\ntransition 3: 3 ->\n\
+         transition 4: 1 -> 2, 3",
+    );
+    let armed: Vec<&[u16]> = tables
+        .steps
+        .iter()
+        .map(|step| step.transitions.of(&tables.armed_by))
+        .collect();
+    assert_eq!(armed, [&[3][..], &[0], &[2]]);
+    assert_eq!(tables.graphs[0].sources.of(&tables.armed_by), [1]);
+    assert_eq!(
+        tables.transitions[2].exit,
+        Run {
+            len: 0,
+            ..tables.transitions[2].exit
+        }
+    );
+}
+
+#[test]
+fn a_macro_step_is_entered_at_its_entry_and_left_at_its_exit() {
+    let tables = graph(
+        "initial step 1; macro step M5 { exit step 3; entry step 2; transition 2: 2 -> 3 }\n\
+         transition 1: 1 -> M5\ntransition 3: M5 -> 1",
+    );
+    let step = |index: u16| Bit(64 + index);
+    assert_eq!(tables.transitions[0].entrance.of(&tables.links), [step(2)]);
+    assert_eq!(tables.transitions[1].exit.of(&tables.links), [step(2)]);
+    assert_eq!(tables.transitions[2].entrance.of(&tables.links), [step(1)]);
+}
+
+#[test]
+fn superiors_are_settled_first_and_otherwise_the_source_decides() {
+    let tables = tables(
+        "input a\ngraph A { initial step 1 }\ngraph B { initial step 1 { F/A:{1} IF a } }\n\
+         graph C { initial step 1 encloses B{1} }\ngraph D { initial step 1; always { F/D:{} IF a } }",
+    );
+    assert_eq!(tables.hierarchy, [2, 1, 0, 3]);
+}
+
+#[test]
+fn orders_are_ranked_by_the_source_wherever_they_stand() {
+    let tables = tables(
+        "input a\ngraph B { initial step 1 }\n\
+         graph A { always { F/B:{} IF a }; initial step 1 { F/B:{1} }; always { F/B:{*}; F/A:{I} IF a } }",
+    );
+    let a = tables.graphs[1];
+    let ranks = |run: Run| {
+        run.of(&tables.orders)
+            .iter()
+            .map(|order| order.rank)
+            .collect::<Vec<_>>()
+    };
+    assert_eq!(ranks(a.orders), [0, 2]);
+    assert_eq!(ranks(tables.steps[1].orders), [1]);
+    assert_eq!(ranks(a.self_orders), [3]);
+    assert_eq!(tables.orders[1].situation, Forced::Current);
+}
+
+#[test]
+fn an_enclosing_step_gives_its_set_and_at_the_start_the_initial_steps() {
+    let tables = tables(
+        "graph A { initial step 1 encloses B{2}, C{1}; step 2 encloses B{1}; transition 1: 1 -> 2; transition 2: 2 -> 1 }\n\
+         graph B { initial step 1; step 2; step 3; transition 1: 2 -> 3 }\ngraph C { step 1 }",
+    );
+    let of = |graph: usize| tables.graphs[graph].enclosings.of(&tables.enclosings);
+    let word = |situation: u16| tables.situations[usize::from(situation)];
+    assert!(of(0).is_empty());
+    let at_start: Vec<Option<u32>> = of(1).iter().map(|it| it.at_start.map(word)).collect();
+    assert_eq!(at_start, [Some(0b001), None]);
+    let sets: Vec<u32> = of(1).iter().map(|it| word(it.situation)).collect();
+    assert_eq!(sets, [0b010, 0b001]);
+    assert_eq!(of(2)[0].at_start.map(word), Some(0b001));
+}
+
+#[test]
+fn momentary_statements_follow_what_they_depend_on() {
+    let text = "input a\noutput M, N\nvar v, w\ngraph G {\n\
+                always { M IF w AND NOT ↑v }\ninitial step 1 { w IF v; v IF a; N, v IF a AND ↓M } }";
+    let application = application(text);
+    let tables = &application.controller.tables;
+    assert_eq!(tables.momentary.len(), 2);
+    assert_eq!(tables.steps[0].momentary, Run { start: 0, len: 2 });
+    let bit = |name: &str| {
+        let found = application
+            .controller
+            .symbols
+            .variables
+            .iter()
+            .find(|it| it.name == name);
+        match found.unwrap().slot {
+            Slot::Bit(bit) => bit,
+            Slot::Number(_) => unreachable!(),
+        }
+    };
+    let targets: Vec<Bit> = tables
+        .dependent
+        .iter()
+        .flat_map(|it| it.statement.targets.of(&tables.links))
+        .copied()
+        .collect();
+    assert_eq!(targets, [bit("w"), bit("M")]);
+    let owned: Vec<bool> = tables
+        .dependent
+        .iter()
+        .map(|it| it.owner.is_some())
+        .collect();
+    assert_eq!(owned, [true, false]);
+}
+
+#[test]
+fn one_statement_with_two_variables_is_one_row() {
+    let tables = graph("initial step 1 { M, N IF a OR b }");
+    assert_eq!(tables.momentary.len(), 1);
+    assert_eq!(tables.momentary[0].targets.len, 2);
+}
+
+fn stored(tables: &Tables, run: Run) -> usize {
+    run.of(&tables.stored).len()
+}
+
+#[test]
+fn stored_statements_stand_in_the_group_in_which_they_run() {
+    let tables = graph(
+        "always { n = 1 }\ninitial step 1 { n = 2; on activation { n = 3; n = 4 }; on deactivation: n = 5\n\
+         on event ↑a { n = 6; n = 7; n = 8 }; n = 9 }\ntransition 1: 1 -> 1 do { n = 10 }\nalways { n = 11 }",
+    );
+    let step = tables.steps[0];
+    assert_eq!(stored(&tables, tables.always_stored), 2);
+    assert_eq!(stored(&tables, step.stored), 2);
+    assert_eq!(stored(&tables, step.on_activation), 2);
+    assert_eq!(stored(&tables, step.on_deactivation), 1);
+    assert_eq!(
+        stored(&tables, step.on_event.of(&tables.events)[0].stored),
+        3
+    );
+    assert_eq!(stored(&tables, tables.transitions[0].actions), 1);
+}
