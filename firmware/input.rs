@@ -33,7 +33,7 @@ impl<P: InputPin, const N: usize> Inputs<P, N> {
             pins,
             wires,
             filters,
-            next_sample: filtered.then_some(now + SAMPLE),
+            next_sample: filtered.then_some(now.saturating_add(SAMPLE)),
         }
     }
 
@@ -71,12 +71,12 @@ impl<P: InputPin, const N: usize> Inputs<P, N> {
             }
         }
         // What was missed is not made up for.
-        let following = if next + SAMPLE > now {
-            next + SAMPLE
-        } else {
-            now + SAMPLE
-        };
-        self.next_sample = Some(if next > now { next } else { following });
+        let following = [
+            next,
+            next.saturating_add(SAMPLE),
+            now.saturating_add(SAMPLE),
+        ];
+        self.next_sample = following.into_iter().find(|it| *it > now);
     }
 }
 

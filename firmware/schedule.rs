@@ -49,7 +49,7 @@ impl Schedule {
             period_ms,
             period,
             late_after,
-            release: start + period,
+            release: start.saturating_add(period),
             time_ms: u64::from(period_ms),
             faults: Faults::default(),
         }
@@ -69,8 +69,7 @@ impl Schedule {
 
     /// A scan starts at `now`, not before [`Schedule::release`]: it serves the latest release that is due.
     pub fn serve(&mut self, now: Instant) -> Served {
-        let missed =
-            now.saturating_duration_since(self.release).as_ticks() / self.period.as_ticks();
+        let missed = self.periods(now.saturating_duration_since(self.release));
         self.skip(missed);
         let behind = now.saturating_duration_since(self.release);
         let late_by = (behind > self.late_after).then_some(behind);
@@ -91,9 +90,19 @@ impl Schedule {
         if now <= self.release {
             return 0;
         }
-        let missed = (now - self.release).as_ticks() / self.period.as_ticks() + 1;
+        let missed = self.periods(now.saturating_duration_since(self.release)) + 1;
         self.skip(missed);
         missed
+    }
+
+    /// How many whole periods there are in a time. In nearly every scan that is none, without a division.
+    fn periods(&self, time: Duration) -> u64 {
+        if time < self.period {
+            0
+        } else {
+            let periods = time.as_ticks().checked_div(self.period.as_ticks());
+            periods.unwrap_or(0)
+        }
     }
 
     fn skip(&mut self, releases: u64) {
@@ -104,7 +113,9 @@ impl Schedule {
     }
 
     fn advance(&mut self, releases: u64) {
-        self.release += Duration::from_ticks(self.period.as_ticks().saturating_mul(releases));
-        self.time_ms += u64::from(self.period_ms).saturating_mul(releases);
+        let ticks = self.period.as_ticks().saturating_mul(releases);
+        self.release = self.release.saturating_add(Duration::from_ticks(ticks));
+        let ms = u64::from(self.period_ms).saturating_mul(releases);
+        self.time_ms = self.time_ms.saturating_add(ms);
     }
 }

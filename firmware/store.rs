@@ -1,6 +1,6 @@
 //! The store task: writes what the scan hands over, below the scan.
 
-use embassy_time::{Duration, with_timeout};
+use embassy_time::{Duration, Instant, with_deadline};
 use embedded_storage_async::nor_flash::NorFlash;
 use grafcet_core::program::Program;
 
@@ -24,9 +24,12 @@ pub async fn keep<F: NorFlash, const R: usize>(
         let values = match failed {
             None => changes.wait().await,
             // Only the wait may be cut short, never a write.
-            Some(values) => with_timeout(RETRY_AFTER, changes.wait())
-                .await
-                .unwrap_or(values),
+            Some(values) => {
+                let deadline = Instant::now().saturating_add(RETRY_AFTER);
+                with_deadline(deadline, changes.wait())
+                    .await
+                    .unwrap_or(values)
+            }
         };
         failed = None;
         if values == stored {

@@ -1,0 +1,360 @@
+//! The scan task on pins and in simulated time: safe until scan 0 has ended, never in a burst, every fault counted.
+
+#![allow(clippy::expect_used, reason = "a failed expectation is a failed test")]
+
+mod support;
+
+use std::cell::{Cell, RefCell};
+use std::convert::Infallible;
+
+use embassy_futures::select::select;
+use embassy_time::{Duration, Instant, Timer};
+use embedded_hal::digital::{ErrorType, OutputPin};
+use grafcet_core::engine::Engine;
+use grafcet_core::program::{Bit, Number, Slot};
+use plc::boards::host::clock::{simulate, work};
+use plc::boards::host::lines::{Line, keep};
+use plc::boards::host::pins::Input;
+use plc::input::Inputs;
+use plc::log::Observer;
+use plc::output::Outputs;
+use plc::scan::{Board, Changes, Controller};
+use plc::wiring::{InputWire, OutputWire};
+use support::program::{Compiled, program};
+
+const PRESS: &str = "
+    input start
+    output RUN, READY
+    retain var count : int
+    graph Press {
+        initial step 1 { READY }
+        step 2 { RUN; on activation: count = count + 1 }
+        transition 1: 1 -> 2 when start
+        transition 2: 2 -> 1 when NOT start
+    }
+";
+
+/// An output pin that remembers when it was set to what.
+struct Recorder<'a>(&'a RefCell<Vec<(u64, bool)>>);
+
+impl ErrorType for Recorder<'_> {
+    type Error = Infallible;
+}
+
+impl OutputPin for Recorder<'_> {
+    fn set_low(&mut self) -> Result<(), Infallible> {
+        self.record(false)
+    }
+
+    fn set_high(&mut self) -> Result<(), Infallible> {
+        self.record(true)
+    }
+}
+
+impl Recorder<'_> {
+    fn record(&mut self, level: bool) -> Result<(), Infallible> {
+        self.0.borrow_mut().push((now_ms(), level));
+        Ok(())
+    }
+}
+
+fn now_ms() -> u64 {
+    Instant::now().as_millis()
+}
+
+/// A board on which scans take time.
+struct Bench<'a> {
+    /// How long scan k works, in ms.
+    cost_ms: fn(usize) -> u64,
+    scans: &'a RefCell<Vec<Scan>>,
+}
+
+/// A completed scan.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct Scan {
+    at_ms: u64,
+    overruns: i32,
+}
+
+impl Board for Bench<'_> {
+    const LATE_AFTER: Duration = Duration::from_millis(1);
+
+    fn complete(&mut self, engine: &Engine<'_, '_>) {
+        let mut scans = self.scans.borrow_mut();
+        scans.push(Scan {
+            at_ms: now_ms(),
+            overruns: engine.number(Number::OVERRUNS),
+        });
+        work(Duration::from_millis((self.cost_ms)(scans.len() - 1)));
+    }
+}
+
+/// What there is to set in a test.
+struct Case {
+    filter_ms: u16,
+    active_low: bool,
+    cost_ms: fn(usize) -> u64,
+    /// Times and levels of the pin of `start`.
+    levels: &'static [(u64, bool)],
+    /// Something that holds up everything else: from when, for how long, in ms.
+    hog: (u64, u64),
+    until_ms: u64,
+}
+
+const CASE: Case = Case {
+    filter_ms: 0,
+    active_low: false,
+    cost_ms: |_| 0,
+    levels: &[],
+    hog: (u64::MAX / 4_000, 0),
+    until_ms: 100,
+};
+
+/// What was seen.
+struct Seen {
+    scans: Vec<Scan>,
+    run: Vec<(u64, bool)>,
+    ready: Vec<(u64, bool)>,
+    lines: Vec<Line>,
+    changes: Option<[i32; 1]>,
+}
+
+impl Seen {
+    fn texts(&self) -> Vec<&str> {
+        self.lines.iter().map(|line| line.text.as_str()).collect()
+    }
+
+    /// The times at which an output changed.
+    fn changes(pin: &[(u64, bool)]) -> Vec<(u64, bool)> {
+        let mut last = None;
+        let changed = |step: &&(u64, bool)| last.replace(step.1) != Some(step.1);
+        pin.iter().filter(changed).copied().collect()
+    }
+}
+
+fn wire(compiled: Compiled, name: &str) -> Bit {
+    match compiled.slot(name) {
+        Slot::Bit(bit) => bit,
+        Slot::Number(_) => panic!("{name} is a number"),
+    }
+}
+
+fn run(case: &Case) -> Seen {
+    let press = program(PRESS);
+    let inputs = Box::leak(Box::new([InputWire {
+        bit: wire(press, "start"),
+        address: "%IX0.0",
+        active_low: case.active_low,
+        filter_ms: case.filter_ms,
+    }]));
+    let output = |name, active_low, safe| OutputWire {
+        bit: wire(press, name),
+        address: name,
+        active_low,
+        safe,
+    };
+    let outputs = Box::leak(Box::new([
+        output("RUN", false, true),
+        output("READY", true, false),
+    ]));
+    let level = Cell::new(case.active_low);
+    let (scans, run, ready) = (RefCell::default(), RefCell::default(), RefCell::default());
+    let changes = Changes::new();
+    let ((), lines) = keep(|| {
+        simulate(async {
+            let controller = Controller {
+                engine: press.engine(),
+                inputs: Inputs::new([Input(&level)], inputs),
+                outputs: Outputs::new([Recorder(&run), Recorder(&ready)], outputs),
+                board: Bench {
+                    cost_ms: case.cost_ms,
+                    scans: &scans,
+                },
+                changes: &changes,
+                observer: Observer::new(press.names),
+            };
+            let levels = async {
+                for (at, high) in case.levels {
+                    Timer::at(Instant::from_millis(*at)).await;
+                    level.set(*high);
+                }
+                std::future::pending::<()>().await;
+            };
+            let hog = async {
+                Timer::at(Instant::from_millis(case.hog.0)).await;
+                work(Duration::from_millis(case.hog.1));
+                std::future::pending::<()>().await;
+            };
+            let over = Timer::at(Instant::from_millis(case.until_ms));
+            select(select(levels, hog), select(over, controller.run())).await;
+        })
+        .expect("a controller always waits for its next scan");
+    });
+    Seen {
+        scans: scans.into_inner(),
+        run: run.into_inner(),
+        ready: ready.into_inner(),
+        lines,
+        changes: changes.try_take(),
+    }
+}
+
+#[test]
+fn outputs_are_safe_until_scan_0_writes_them() {
+    let seen = run(&CASE);
+    assert_eq!(
+        seen.run[..2],
+        [(0, true), (0, false)],
+        "safe is on, and step 1 does not run"
+    );
+    assert_eq!(
+        seen.ready[..2],
+        [(0, true), (0, false)],
+        "active low: off is high"
+    );
+}
+
+#[test]
+fn scans_come_with_the_period_and_the_log_names_what_they_change() {
+    let seen = run(&Case {
+        levels: &[(15, true), (42, false)],
+        ..CASE
+    });
+    let times: Vec<u64> = seen.scans.iter().map(|scan| scan.at_ms).collect();
+    assert_eq!(times, (0..10).map(|k| k * 10).collect::<Vec<_>>());
+    assert_eq!(
+        Seen::changes(&seen.run),
+        [(0, true), (0, false), (20, true), (50, false)]
+    );
+    assert_eq!(
+        seen.texts(),
+        [
+            "Press starts in {1}",
+            "Press T1: {1} -> {2}",
+            "Press T2: {2} -> {1}"
+        ]
+    );
+    assert_eq!(seen.lines[1].time_ms, 20);
+}
+
+#[test]
+fn retained_values_are_handed_on_when_they_change_and_only_then() {
+    assert_eq!(run(&CASE).changes, None);
+    let seen = run(&Case {
+        levels: &[(15, true), (42, false), (65, true)],
+        ..CASE
+    });
+    assert_eq!(
+        seen.changes,
+        Some([2]),
+        "the newest snapshot takes the place of older ones"
+    );
+}
+
+#[test]
+fn an_overrun_is_counted_and_followed_by_the_next_release_not_by_a_burst() {
+    let seen = run(&Case {
+        cost_ms: |scan| if scan == 2 { 37 } else { 0 },
+        ..CASE
+    });
+    let times: Vec<(u64, i32)> = seen
+        .scans
+        .iter()
+        .map(|scan| (scan.at_ms, scan.overruns))
+        .collect();
+    assert_eq!(
+        times,
+        [(0, 0), (10, 0), (20, 0), (60, 1), (70, 1), (80, 1), (90, 1)]
+    );
+    assert_eq!(
+        seen.texts()[1],
+        "overrun: releases missed: 3 (1 overruns since start)"
+    );
+}
+
+#[test]
+fn scans_that_always_overrun_leave_time_for_the_tasks_below() {
+    let seen = run(&Case {
+        cost_ms: |_| 13,
+        ..CASE
+    });
+    let times: Vec<u64> = seen.scans.iter().map(|scan| scan.at_ms).collect();
+    assert_eq!(times, [0, 20, 40, 60, 80]);
+}
+
+#[test]
+fn a_late_scan_is_counted_and_bears_the_time_of_its_release() {
+    let seen = run(&Case {
+        hog: (18, 5),
+        levels: &[(15, true)],
+        ..CASE
+    });
+    assert_eq!(seen.scans[2].at_ms, 23);
+    assert_eq!(seen.scans[3].at_ms, 30, "what comes after is on time again");
+    assert_eq!(
+        seen.texts()[1],
+        "late scan: 3000 us behind its release (1 since start)"
+    );
+    assert_eq!(seen.scans.last().map(|scan| scan.overruns), Some(0));
+}
+
+#[test]
+fn a_scan_held_up_for_several_periods_serves_the_latest_release() {
+    // As when a sector of the flash is erased.
+    let seen = run(&Case {
+        hog: (18, 45),
+        ..CASE
+    });
+    let times: Vec<u64> = seen.scans.iter().map(|scan| scan.at_ms).collect();
+    assert_eq!(times, [0, 10, 63, 70, 80, 90]);
+    assert_eq!(seen.scans[2].overruns, 1);
+    assert!(
+        seen.texts()
+            .contains(&"overrun: releases missed: 4 (1 overruns since start)")
+    );
+}
+
+#[test]
+fn what_is_shorter_than_the_filter_never_reaches_the_program() {
+    let seen = run(&Case {
+        filter_ms: 5,
+        levels: &[(18, true), (22, false), (33, true), (38, false), (41, true)],
+        ..CASE
+    });
+    assert_eq!(
+        Seen::changes(&seen.run),
+        [(0, true), (0, false), (50, true)]
+    );
+}
+
+#[test]
+fn a_pulse_between_two_scans_is_seen_if_it_is_longer_than_the_filter() {
+    let pulse: &[(u64, bool)] = &[(21, true), (28, false)];
+    let changes = |filter_ms| {
+        let seen = run(&Case {
+            filter_ms,
+            levels: pulse,
+            ..CASE
+        });
+        Seen::changes(&seen.run)
+    };
+    assert_eq!(changes(3), [(0, true), (0, false), (30, true), (40, false)]);
+    assert_eq!(
+        changes(0),
+        [(0, true), (0, false)],
+        "without a filter only the scan looks"
+    );
+}
+
+#[test]
+fn an_input_that_is_active_low_is_true_at_ground() {
+    let seen = run(&Case {
+        active_low: true,
+        levels: &[(15, false)],
+        ..CASE
+    });
+    assert_eq!(
+        Seen::changes(&seen.run),
+        [(0, true), (0, false), (20, true)]
+    );
+}
