@@ -173,7 +173,8 @@ pub struct VariableSymbol {
     pub initial: i32,
     /// Level-1 text.
     pub text: Option<String>,
-    /// Bound by an instance to something else: no column in a trace, no wire.
+    /// An interface name that an instance binds to an address: it is wired, and has no column in a trace. A name that
+    /// is bound to anything else stands for that, has no place of its own and is not listed.
     pub bound: bool,
     /// The declaration's name.
     pub span: Span,

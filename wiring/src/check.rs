@@ -155,7 +155,7 @@ impl<'a> Program<'a> {
         let ours = self
             .variables
             .iter()
-            .filter(|variable| variable.kind == side.kind() && !variable.bound);
+            .filter(|variable| variable.kind == side.kind());
         ours.filter_map(|variable| {
             let address = Address::parse(variable.address.as_deref()?).ok()?;
             Some((address, variable))
