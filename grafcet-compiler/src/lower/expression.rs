@@ -51,7 +51,11 @@ impl Lowering<'_> {
     }
 
     fn watch(&mut self, context: Context, watch: Watch) -> Bit {
-        self.watches.result(context, watch, &mut self.memories)
+        if self.pool.can_fault(&watch) {
+            self.watches.result(context, watch, &mut self.memories)
+        } else {
+            self.watches.shared(context, watch, &mut self.memories)
+        }
     }
 
     pub(super) fn node(&mut self, expression: &Expression, context: Context) -> Node {

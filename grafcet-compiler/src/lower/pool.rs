@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, HashMap};
 
-use grafcet_core::program::{Bit, Code, Condition, Op, Run, Term};
+use grafcet_core::program::{Bit, Code, Condition, Op, Run, Term, Watch};
 
 use super::limits::{self, index};
 use super::node::Node;
@@ -33,6 +33,29 @@ impl Pool {
             Some(None) => Condition::Code(self.code(&Node::Constant(0), span)),
             None => Condition::Code(self.code(node, span)),
         }
+    }
+
+    /// Whether evaluating the operands of a watch can count an arithmetic fault.
+    pub fn can_fault(&self, watch: &Watch) -> bool {
+        let of = |condition: &Condition| match condition {
+            Condition::Code(code) => Some(*code),
+            Condition::Always | Condition::All(_) => None,
+        };
+        let codes = match watch {
+            Watch::Edge { operand, .. } => [of(operand), None],
+            Watch::Timer { enable, preset, .. } => [of(enable), Some(*preset)],
+            Watch::OnDelay { enable, delay, .. } => [of(enable), Some(*delay)],
+            Watch::OffDelay { on, hold, .. } => [of(on), Some(*hold)],
+            Watch::Value { condition, .. } => [of(condition), None],
+        };
+        let mut codes = codes.into_iter().flatten();
+        codes.any(|code| self.ops_of(code).iter().any(can_fault))
+    }
+
+    fn ops_of(&self, code: Code) -> &[Op] {
+        let start = code.start as usize;
+        let ops = self.ops.get(start..start + usize::from(code.len));
+        ops.unwrap_or_default()
     }
 
     fn run(&mut self, terms: Vec<Term>) -> Run {
@@ -67,6 +90,13 @@ impl Pool {
         self.known_ops.insert(ops, code);
         code
     }
+}
+
+fn can_fault(op: &Op) -> bool {
+    matches!(
+        op,
+        Op::Negate | Op::Add | Op::Subtract | Op::Multiply | Op::Divide | Op::Modulo
+    )
 }
 
 /// One term for each word; nothing when a bit must be both True and False.

@@ -53,13 +53,20 @@ pub(super) const NO_BIT: Bit = Bit(0);
 pub(super) const NO_STAMP: Stamp = Stamp(0);
 
 impl Watches {
-    /// The result of a watch given without memories of its own. The same watch in the same place is made once.
+    /// The result of a watch given without memories of its own.
     pub fn result(&mut self, context: Context, watch: Watch, memories: &mut Memories) -> Bit {
+        let (filled, bit) = fill(watch, memories);
+        self.lists.entry(context).or_default().push(filled);
+        bit
+    }
+
+    /// The same, but the same watch in the same place is made once. Only for what cannot fault: faults are counted
+    /// for each operator that is written.
+    pub fn shared(&mut self, context: Context, watch: Watch, memories: &mut Memories) -> Bit {
         if let Some(result) = self.known.get(&(context, watch)) {
             return *result;
         }
-        let (filled, bit) = fill(watch, memories);
-        self.lists.entry(context).or_default().push(filled);
+        let bit = self.result(context, watch, memories);
         self.known.insert((context, watch), bit);
         bit
     }
