@@ -1,15 +1,10 @@
-//! Phases 6 and 7: what the actions do.
+//! Phase 6: what the actions store.
 
-use std::collections::BTreeMap;
-
-use grafcet_compiler::ast::{DeclarationKind, Event, Expression, Ref, Statement, StatementKind};
-use grafcet_compiler::source::Span;
+use grafcet_compiler::ast::{Event, Expression, Statement, StatementKind};
 
 use crate::expression::Scope;
 use crate::graph::Owner;
 use crate::machine::{Fired, Machine};
-use crate::name::Qualified;
-use crate::value::Value;
 use crate::watch::Pass;
 
 /// Statements of which the edges and timers are evaluated together.
@@ -24,24 +19,6 @@ pub enum Group {
 /// An `on` statement that runs, with its graph.
 pub type Due<'a> = (&'a str, &'a StatementKind);
 
-/// Phase 7 at work.
-#[derive(Debug, Default)]
-pub struct Calculation<'a> {
-    variables: BTreeMap<Qualified<'a>, bool>,
-    /// The conditions that have been evaluated, by graph and statement.
-    conditions: BTreeMap<(&'a str, Span), bool>,
-}
-
-/// A momentary statement.
-#[derive(Clone, Copy)]
-struct Momentary<'a> {
-    graph: &'a str,
-    owner: Owner<'a>,
-    targets: &'a [Ref],
-    condition: Option<&'a Expression>,
-    span: Span,
-}
-
 impl<'a> Machine<'a> {
     /// Evaluates the edges and timers in these groups of statements.
     pub(crate) fn watch_actions(&mut self, groups: &[Group]) {
@@ -51,15 +28,12 @@ impl<'a> Machine<'a> {
             let blocks = graph.transitions.iter().filter_map(|t| t.action.as_ref());
             let of_transitions = blocks.flat_map(|block| &block.statements);
             let of_transitions = of_transitions.map(|statement| (Group::Immediate, statement));
-            let others = graph
-                .statements()
-                .into_iter()
-                .flat_map(|(_, s)| match &s.kind {
-                    StatementKind::On { statements, .. } => {
-                        statements.iter().map(|s| (Group::Immediate, s)).collect()
-                    }
-                    _ => vec![(Group::Plain, s)],
-                });
+            let others = graph.statements.iter().flat_map(|&(_, s)| match &s.kind {
+                StatementKind::On { statements, .. } => {
+                    statements.iter().map(|s| (Group::Immediate, s)).collect()
+                }
+                _ => vec![(Group::Plain, s)],
+            });
             for (group, statement) in of_transitions.chain(others) {
                 if groups.contains(&group) {
                     self.watch_statement(statement, &scope);
@@ -113,7 +87,7 @@ impl<'a> Machine<'a> {
     fn run_on(&mut self, kind: impl Fn(&Event) -> bool, happened: impl Fn(bool, bool) -> bool) {
         let program = self.program;
         for graph in &program.graphs {
-            for (owner, statement) in graph.statements() {
+            for &(owner, statement) in &graph.statements {
                 if let (Some(step), StatementKind::On { event, statements }) =
                     (owner, &statement.kind)
                 {
@@ -131,7 +105,7 @@ impl<'a> Machine<'a> {
         let program = self.program;
         for stands_alone in [true, false] {
             for graph in &program.graphs {
-                for (owner, statement) in graph.statements() {
+                for &(owner, statement) in &graph.statements {
                     if owner.is_none() == stands_alone && self.executes(graph.name, owner) {
                         self.run(graph.name, std::slice::from_ref(statement));
                     }
@@ -159,97 +133,13 @@ impl<'a> Machine<'a> {
         }
     }
 
-    fn executes(&self, graph: &'a str, owner: Owner<'a>) -> bool {
+    /// Whether an action is executed: its step is active, or it stands alone.
+    pub(crate) fn executes(&self, graph: &'a str, owner: Owner<'a>) -> bool {
         owner.is_none_or(|step| self.active((graph, step)))
     }
 
-    fn holds(&mut self, condition: Option<&'a Expression>, scope: &Scope<'a>) -> bool {
+    /// Whether there is no condition, or it is True.
+    pub(crate) fn holds(&mut self, condition: Option<&'a Expression>, scope: &Scope<'a>) -> bool {
         condition.is_none_or(|condition| self.evaluate(condition, scope).truth())
-    }
-
-    /// Phase 7. What a condition needs is calculated when it is read.
-    pub(crate) fn calculate_momentary(&mut self) {
-        self.calculation = Some(Calculation::default());
-        let mut targets = Vec::new();
-        for statement in self.momentary() {
-            for target in statement.targets {
-                targets.push(self.program.target(statement.graph, target));
-            }
-        }
-        for target in targets {
-            let value = self.read(target);
-            self.values.insert(target, value);
-        }
-        self.calculation = None;
-    }
-
-    /// The value of a variable; in phase 7, what a momentary one is now.
-    pub(crate) fn read(&mut self, name: Qualified<'a>) -> Value {
-        let Some(calculation) = &self.calculation else {
-            return self.values[&name];
-        };
-        if let Some(value) = calculation.variables.get(&name) {
-            return Value::Bool(*value);
-        }
-        if self.program.kind(name) == DeclarationKind::Input {
-            return self.values[&name];
-        }
-        let statements = self.momentary().into_iter();
-        let statements: Vec<Momentary<'a>> = statements
-            .filter(|s| {
-                s.targets
-                    .iter()
-                    .any(|t| self.program.target(s.graph, t) == name)
-            })
-            .collect();
-        if statements.is_empty() {
-            return self.values[&name];
-        }
-        let mut value = false;
-        for statement in statements {
-            if self.executes(statement.graph, statement.owner) {
-                value |= self.momentary_condition(statement);
-            }
-        }
-        if let Some(calculation) = &mut self.calculation {
-            calculation.variables.insert(name, value);
-        }
-        Value::Bool(value)
-    }
-
-    /// The condition of a momentary statement, evaluated once however many variables it names.
-    fn momentary_condition(&mut self, statement: Momentary<'a>) -> bool {
-        let key = (statement.graph, statement.span);
-        let known = self
-            .calculation
-            .as_ref()
-            .and_then(|c| c.conditions.get(&key));
-        if let Some(value) = known {
-            return *value;
-        }
-        let value = self.holds(statement.condition, &Scope::of(statement.graph));
-        if let Some(calculation) = &mut self.calculation {
-            calculation.conditions.insert(key, value);
-        }
-        value
-    }
-
-    /// Every momentary statement, whether or not it is executed.
-    fn momentary(&self) -> Vec<Momentary<'a>> {
-        let mut all = Vec::new();
-        for graph in &self.program.graphs {
-            for (owner, statement) in graph.statements() {
-                if let StatementKind::Momentary { targets, condition } = &statement.kind {
-                    all.push(Momentary {
-                        graph: graph.name,
-                        owner,
-                        targets,
-                        condition: condition.as_ref(),
-                        span: statement.span,
-                    });
-                }
-            }
-        }
-        all
     }
 }

@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use grafcet_compiler::ast::{
-    Always, BindingTarget, Block, Declaration, Element, Graph as Tree, Instance, Macro, Situation,
+    BindingTarget, Block, Declaration, Element, Graph as Tree, Instance, Macro, Situation,
     Statement, StatementKind, Step, StepRole, Transition,
 };
 
@@ -18,9 +18,10 @@ pub struct Graph<'a> {
     pub macros: BTreeMap<&'a str, Expansion<'a>>,
     /// The transitions in source order, those of expansions among them.
     pub transitions: Vec<&'a Transition>,
-    pub always: Vec<&'a Always>,
     pub bindings: BTreeMap<&'a str, &'a BindingTarget>,
     pub declarations: Vec<&'a Declaration>,
+    /// The statements of its stand-alone actions and steps with their owners, in source order.
+    pub statements: Vec<(Owner<'a>, &'a Statement)>,
 }
 
 /// What is inside a macro step.
@@ -43,6 +44,9 @@ impl<'a> Graph<'a> {
             ..Graph::default()
         };
         graph.open(&tree.elements, &[]);
+        graph
+            .statements
+            .sort_by_key(|(_, statement)| statement.span.start);
         graph
     }
 
@@ -86,25 +90,9 @@ impl<'a> Graph<'a> {
             .collect()
     }
 
-    /// The statements of its stand-alone actions and steps with their owners, in source order.
-    pub fn statements(&self) -> Vec<(Owner<'a>, &'a Statement)> {
-        let alone = self.always.iter().map(|always| (None, &always.block));
-        let of_steps = self.steps.iter().filter_map(|step| {
-            let block: &'a Block = step.block.as_ref()?;
-            Some((Some(step.id.text.as_str()), block))
-        });
-        let mut statements: Vec<(Owner<'a>, &'a Statement)> = alone
-            .chain(of_steps)
-            .flat_map(|(owner, block)| block.statements.iter().map(move |s| (owner, s)))
-            .collect();
-        statements.sort_by_key(|(_, statement)| statement.span.start);
-        statements
-    }
-
     /// Whether one of its statements forces a graph that `is_it` recognises.
     pub fn forces(&self, is_it: impl Fn(&str) -> bool) -> bool {
-        let statements = self.statements();
-        statements.iter().any(|(_, statement)| {
+        self.statements.iter().any(|(_, statement)| {
             matches!(&statement.kind, StatementKind::Force { graph, .. } if is_it(&graph.text))
         })
     }
@@ -114,7 +102,7 @@ impl<'a> Graph<'a> {
         for element in elements {
             match element {
                 Element::Declaration(declaration) => self.declarations.push(declaration),
-                Element::Always(always) => self.always.push(always),
+                Element::Always(always) => self.act(None, Some(&always.block)),
                 Element::Transition(transition) => self.transitions.push(transition),
                 Element::Step(step) => self.step(step, around),
                 Element::Macro(inner) => self.expansion(inner, around),
@@ -124,6 +112,7 @@ impl<'a> Graph<'a> {
 
     fn step(&mut self, step: &'a Step, around: &[&'a str]) {
         self.steps.push(step);
+        self.act(Some(&step.id.text), step.block.as_ref());
         for outer in around {
             self.macros
                 .entry(outer)
@@ -139,6 +128,12 @@ impl<'a> Graph<'a> {
                 StepRole::Plain => {}
             }
         }
+    }
+
+    fn act(&mut self, owner: Owner<'a>, block: Option<&'a Block>) {
+        let statements = block.iter().flat_map(|block| &block.statements);
+        self.statements
+            .extend(statements.map(|statement| (owner, statement)));
     }
 
     fn expansion(&mut self, inner: &'a Macro, around: &[&'a str]) {

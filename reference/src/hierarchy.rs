@@ -21,12 +21,62 @@ struct Order<'a> {
     condition: Option<&'a Expression>,
 }
 
+impl<'a> Program<'a> {
+    /// The enclosing steps of a graph with their sets, in source order; none when it is not enclosed.
+    pub(crate) fn enclosings(&self, graph: &str) -> &[Enclosing<'a>] {
+        self.enclosings.get(graph).map_or(&[], Vec::as_slice)
+    }
+
+    pub(crate) fn find_enclosings(&self) -> BTreeMap<&'a str, Vec<Enclosing<'a>>> {
+        let mut enclosings: BTreeMap<&'a str, Vec<Enclosing<'a>>> = BTreeMap::new();
+        for superior in &self.graphs {
+            for step in &superior.steps {
+                for (enclosed, set) in &step.encloses {
+                    let enclosed = self.graph(superior.name, &enclosed.text).name;
+                    let set = set.steps.iter().map(|id| id.text.as_str()).collect();
+                    let step = (superior.name, step.id.text.as_str());
+                    enclosings.entry(enclosed).or_default().push((step, set));
+                }
+            }
+        }
+        enclosings
+    }
+
+    /// Again and again the first graph in the source all of whose superiors have been taken.
+    pub(crate) fn order_graphs(&self) -> Vec<&'a str> {
+        let superiors = |graph: &Graph<'a>| -> BTreeSet<&'a str> {
+            let forcing = self
+                .graphs
+                .iter()
+                .filter(|by| by.forces(|name| self.graph(by.name, name).name == graph.name));
+            let enclosing = self.enclosings(graph.name).iter().map(|((by, _), _)| *by);
+            let all = forcing.map(|by| by.name).chain(enclosing);
+            all.filter(|by| *by != graph.name).collect()
+        };
+        let mut taken: BTreeSet<&str> = BTreeSet::new();
+        let mut order = Vec::new();
+        while order.len() < self.graphs.len() {
+            let mut rest = self
+                .graphs
+                .iter()
+                .filter(|graph| !taken.contains(graph.name));
+            let Some(next) = rest.find(|graph| superiors(graph).is_subset(&taken)) else {
+                panic!("graphs force each other in a ring");
+            };
+            order.push(next.name);
+            taken.insert(next.name);
+        }
+        order
+    }
+}
+
 impl<'a> Machine<'a> {
     /// Scan 0, item 2.
     pub(crate) fn take_initial_situation(&mut self) {
         let program = self.program;
-        for graph in from_the_top(program) {
-            let enclosings = program.enclosings(graph.name);
+        for name in &program.from_the_top {
+            let graph = program.graph(name, name);
+            let enclosings = program.enclosings(name);
             let active_initial = enclosings.iter().filter(|((superior, step), _)| {
                 let superior = program.graph(superior, superior);
                 superior.initial_steps().contains(step)
@@ -62,7 +112,8 @@ impl<'a> Machine<'a> {
         let mut orders: Situation<'a> = BTreeMap::new();
         let mut ordered = BTreeSet::new();
         let mut own_evolution = BTreeSet::new();
-        for graph in from_the_top(program) {
+        for name in &program.from_the_top {
+            let graph = program.graph(name, name);
             let (own, others): (Vec<_>, Vec<_>) = forcing(program, graph)
                 .into_iter()
                 .partition(|order| order.on.name == graph.name);
@@ -152,48 +203,21 @@ impl<'a> Machine<'a> {
     }
 }
 
-/// The graphs in the order in which they are taken: again and again the first in the source all of whose superiors
-/// have been taken.
-fn from_the_top<'a>(program: &'a Program<'a>) -> Vec<&'a Graph<'a>> {
-    let superiors = |graph: &'a Graph<'a>| -> BTreeSet<&'a str> {
-        let forcing = program
-            .graphs
-            .iter()
-            .filter(|by| by.forces(|name| program.graph(by.name, name).name == graph.name));
-        let enclosing = program
-            .enclosings(graph.name)
-            .into_iter()
-            .map(|((by, _), _)| by);
-        let all = forcing.map(|by| by.name).chain(enclosing);
-        all.filter(|by| *by != graph.name).collect()
-    };
-    let mut taken: Vec<&Graph<'a>> = Vec::new();
-    while taken.len() < program.graphs.len() {
-        let names: BTreeSet<&str> = taken.iter().map(|graph| graph.name).collect();
-        let next = program
-            .graphs
-            .iter()
-            .find(|graph| !names.contains(graph.name) && superiors(graph).is_subset(&names));
-        taken.push(next.unwrap_or_else(|| panic!("graphs force each other in a ring")));
-    }
-    taken
-}
-
 /// The forcing statements of a graph, in source order.
 fn forcing<'a>(program: &'a Program<'a>, by: &'a Graph<'a>) -> Vec<Order<'a>> {
-    let order = |(owner, statement): (Owner<'a>, &'a Statement)| match &statement.kind {
+    let order = |(owner, statement): &(Owner<'a>, &'a Statement)| match &statement.kind {
         StatementKind::Force {
             graph,
             situation,
             condition,
         } => Some(Order {
             by,
-            owner,
+            owner: *owner,
             on: program.graph(by.name, &graph.text),
             situation,
             condition: condition.as_ref(),
         }),
         _ => None,
     };
-    by.statements().into_iter().filter_map(order).collect()
+    by.statements.iter().filter_map(order).collect()
 }

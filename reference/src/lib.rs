@@ -13,6 +13,7 @@ mod expression;
 mod graph;
 mod hierarchy;
 mod machine;
+mod momentary;
 mod name;
 mod program;
 mod trace;

@@ -4,8 +4,9 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use grafcet_compiler::ast::{DeclarationKind, Event, Expression, StatementKind, Trigger};
 
-use crate::action::{Calculation, Due, Group};
+use crate::action::{Due, Group};
 use crate::expression::{Place, Scope};
+use crate::momentary::Calculation;
 use crate::name::Qualified;
 use crate::program::Program;
 use crate::value::Value;
@@ -248,7 +249,7 @@ impl<'a> Machine<'a> {
                     self.watch(trigger, &scope, pass);
                 }
             }
-            for (_, statement) in graph.statements() {
+            for (_, statement) in &graph.statements {
                 if let Some(event) = event_of(&statement.kind) {
                     self.watch(event, &scope, pass);
                 }
@@ -262,7 +263,7 @@ impl<'a> Machine<'a> {
         let mut due = Vec::new();
         for graph in &program.graphs {
             let scope = Scope::of(graph.name);
-            for (owner, statement) in graph.statements() {
+            for (owner, statement) in &graph.statements {
                 let active = owner.is_some_and(|step| self.situation[graph.name].contains(step));
                 if let (true, Some(event)) = (active, event_of(&statement.kind))
                     && self.evaluate(event, &scope).truth()

@@ -8,6 +8,7 @@ use grafcet_compiler::ast::{
 };
 
 use crate::graph::Graph;
+use crate::momentary::Momentary;
 use crate::name::{Named, Qualified};
 use crate::value::{self, Value};
 
@@ -24,6 +25,14 @@ pub struct Program<'a> {
     pub(crate) declared: BTreeMap<Qualified<'a>, (&'a Declaration, Option<&'a BindingTarget>)>,
     /// The names of `declared` in the order of a trace: globals, then per graph, in source order.
     pub(crate) names: Vec<Qualified<'a>>,
+    /// For each enclosed graph its enclosing steps, in source order.
+    pub(crate) enclosings: BTreeMap<&'a str, Vec<Enclosing<'a>>>,
+    /// The graphs in the order in which phase 4 takes them.
+    pub(crate) from_the_top: Vec<&'a str>,
+    /// The momentary statements in source order.
+    pub(crate) momentary: Vec<Momentary<'a>>,
+    /// What has a column in a trace, besides the graphs.
+    pub(crate) columns: Vec<Qualified<'a>>,
 }
 
 /// A step that encloses a graph: the step and the set that its activation activates.
@@ -39,6 +48,10 @@ impl<'a> Program<'a> {
             graphs: Vec::new(),
             declared: BTreeMap::new(),
             names: Vec::new(),
+            enclosings: BTreeMap::new(),
+            from_the_top: Vec::new(),
+            momentary: Vec::new(),
+            columns: Vec::new(),
         };
         let templates: BTreeMap<&str, &Tree> = libraries
             .iter()
@@ -75,6 +88,10 @@ impl<'a> Program<'a> {
                 ScanOption::Evolution { stable, .. } => program.stable = *stable,
             }
         }
+        program.enclosings = program.find_enclosings();
+        program.from_the_top = program.order_graphs();
+        program.momentary = program.find_momentary();
+        program.columns = program.find_columns();
         program
     }
 
@@ -170,22 +187,6 @@ impl<'a> Program<'a> {
             _ => own.map_or(0.clamp(low, high), Value::number),
         };
         Value::of(self.ty(name), number)
-    }
-
-    /// Every graph that encloses, with what activates in `graph`, in source order.
-    pub(crate) fn enclosings(&self, graph: &'a str) -> Vec<Enclosing<'a>> {
-        let mut enclosings = Vec::new();
-        for superior in &self.graphs {
-            for step in &superior.steps {
-                for (enclosed, set) in &step.encloses {
-                    if self.graph(superior.name, &enclosed.text).name == graph {
-                        let set = set.steps.iter().map(|id| id.text.as_str()).collect();
-                        enclosings.push(((superior.name, step.id.text.as_str()), set));
-                    }
-                }
-            }
-        }
-        enclosings
     }
 
     /// The value to which an instance sets a parameter.

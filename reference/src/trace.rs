@@ -1,6 +1,6 @@
 //! The trace (`semantics.md`, "The trace").
 
-use grafcet_compiler::ast::{BindingTarget, DeclarationKind};
+use grafcet_compiler::ast::{BindingTarget, DeclarationKind, Type};
 
 use crate::machine::Machine;
 use crate::name::Qualified;
@@ -11,8 +11,7 @@ impl<'a> Program<'a> {
     #[must_use]
     pub fn header(&self) -> Vec<String> {
         let graphs = self.graphs.iter().map(|graph| graph.name.to_owned());
-        let columns = self.columns();
-        let columns = columns.iter().map(|(graph, name)| match *graph {
+        let columns = self.columns.iter().map(|(graph, name)| match *graph {
             "" => (*name).to_owned(),
             graph => format!("{graph}:{name}"),
         });
@@ -24,7 +23,7 @@ impl<'a> Program<'a> {
     }
 
     /// The variables that have a column: every output, then every variable and parameter.
-    fn columns(&self) -> Vec<Qualified<'a>> {
+    pub(crate) fn find_columns(&self) -> Vec<Qualified<'a>> {
         let bound = |name| self.declared[&name].1.is_some();
         let names = || self.names.iter().copied();
         let outputs = names().filter(|n| self.kind(*n) == DeclarationKind::Output && !bound(*n));
@@ -56,6 +55,12 @@ impl<'a> Program<'a> {
             .collect()
     }
 
+    /// Whether a variable is a Boolean.
+    #[must_use]
+    pub fn is_boolean(&self, name: Qualified<'a>) -> bool {
+        self.ty(name) == Type::Bool
+    }
+
     /// What survives power: retained variables and parameters.
     #[must_use]
     pub fn retained(&self) -> Vec<Qualified<'a>> {
@@ -81,8 +86,9 @@ impl Machine<'_> {
             let ids: Vec<&str> = ids.filter(|id| active.contains(id)).collect();
             ids.join(" ")
         });
-        let columns = self.program.columns();
-        let values = columns
+        let values = self
+            .program
+            .columns
             .iter()
             .map(|name| self.values[name].number().to_string());
         [self.now_ms.to_string()]

@@ -1,0 +1,85 @@
+//! What happens to a program from outside.
+
+use grafcet_reference::{Program, Qualified};
+
+use crate::random::Random;
+
+/// Everything before one scan, and the scan.
+#[derive(Clone, Debug, Default)]
+pub struct Scan {
+    /// New values of inputs and parameters, by their names in a trace.
+    pub given: Vec<(String, i32)>,
+    /// Power goes and comes back first; whether the start counts as a recovery.
+    pub power_cycle: Option<bool>,
+    /// `System:overruns` from now on.
+    pub overruns: Option<u32>,
+    /// How many periods after the scan before this one comes.
+    pub periods: u64,
+}
+
+/// A name as a trace has it.
+pub fn full_name((graph, name): Qualified<'_>) -> String {
+    if graph.is_empty() {
+        name.to_owned()
+    } else {
+        format!("{graph}:{name}")
+    }
+}
+
+/// Random scans for a program.
+pub fn stimulus(random: &mut Random, program: &Program<'_>, scans: usize) -> Vec<Scan> {
+    let restless = *random.pick(&[10, 30, 50]);
+    let late = random.chance(30);
+    let with_power_cycles = random.chance(25);
+    let mut overruns = 0;
+    let mut stimulus = Vec::new();
+    for number in 0..scans {
+        let mut scan = Scan {
+            periods: 1,
+            ..Scan::default()
+        };
+        for input in program.inputs() {
+            if random.chance(restless) {
+                let value = value(random, program.is_boolean(input));
+                scan.given.push((full_name(input), value));
+            }
+        }
+        for parameter in program.parameters() {
+            if random.chance(3) {
+                let value = value(random, program.is_boolean(parameter));
+                scan.given.push((full_name(parameter), value));
+            }
+        }
+        if late && number > 0 && random.chance(10) {
+            // An overrun, or once in a while a very long time.
+            scan.periods = *random.pick(&[2, 3, 7, 2, 3, 7, 1 << 31, 1 << 33]);
+            overruns += 1;
+            scan.overruns = Some(overruns);
+        }
+        if with_power_cycles && random.chance(2) {
+            scan.power_cycle = Some(random.chance(50));
+        }
+        stimulus.push(scan);
+    }
+    stimulus
+}
+
+fn value(random: &mut Random, boolean: bool) -> i32 {
+    if boolean {
+        return i32::from(random.chance(50));
+    }
+    let usual = random.below(13) as i32 - 3;
+    *random.pick(&[
+        usual,
+        usual,
+        usual,
+        usual,
+        20,
+        30,
+        100,
+        40_000,
+        -40_000,
+        i32::MAX,
+        i32::MIN,
+    ])
+}
