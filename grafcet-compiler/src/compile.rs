@@ -96,7 +96,7 @@ fn has_errors(diagnostics: &[Diagnostic]) -> bool {
 
 /// By place; what two instances of one template have in common is said once.
 fn sort(diagnostics: &mut Vec<Diagnostic>) {
-    diagnostics.sort_by_key(|it| (it.span, it.rule));
+    diagnostics.sort_by(|a, b| (a.span, a.rule, &a.message).cmp(&(b.span, b.rule, &b.message)));
     diagnostics.dedup_by(|a, b| a.span == b.span && a.rule == b.rule && a.message == b.message);
 }
 

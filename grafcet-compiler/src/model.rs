@@ -233,6 +233,8 @@ pub struct Graph {
     pub name: String,
     /// Level-1 text.
     pub text: Option<String>,
+    /// The template that it is an instance of: in its own text, that name means this graph.
+    pub template: Option<String>,
     /// It stands in for the machine.
     pub plant: bool,
     /// What it declares: indices in [`Model::variables`].
@@ -250,6 +252,12 @@ pub struct Graph {
 }
 
 impl Graph {
+    /// What its own text calls it.
+    #[must_use]
+    pub fn own_name(&self) -> &str {
+        self.template.as_deref().unwrap_or(&self.name)
+    }
+
     /// Its steps.
     pub fn step_ids(&self) -> impl DoubleEndedIterator<Item = StepId> + use<> {
         self.steps.clone().map(StepId)

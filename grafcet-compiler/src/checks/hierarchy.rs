@@ -20,7 +20,7 @@ pub(super) fn check(model: &Model, diagnostics: &mut Vec<Diagnostic>) {
                 .iter()
                 .filter(|order| order.graph == graph);
             for order in own {
-                let (id, name) = (&model[step].id, &model[graph].name);
+                let (id, name) = (&model[step].id, model[graph].own_name());
                 let message = format!("step {id} forces its own graph `{name}`");
                 let diagnostic = Diagnostic::new(Rule::SelfForcing, order.span, message).help(
                     format!("a stand-alone action may: `always {{ F/{name}:{{..}} IF X{id} }}`"),

@@ -145,7 +145,7 @@ impl Resolver<'_> {
         };
         let mut steps = Vec::with_capacity(test.steps.len());
         for step in &test.steps {
-            let kind = self.test_step(&step.kind, view);
+            let kind = self.test_step(step, view);
             steps.extend(kind.map(|kind| TestStep {
                 kind,
                 span: step.span,
@@ -181,8 +181,9 @@ impl Resolver<'_> {
         None
     }
 
-    fn test_step(&mut self, step: &ast::TestStepKind, view: View) -> Option<TestStepKind> {
-        Some(match step {
+    fn test_step(&mut self, step: &ast::TestStep, view: View) -> Option<TestStepKind> {
+        let span = step.span;
+        Some(match &step.kind {
             ast::TestStepKind::Set(pairs) => TestStepKind::Set(self.set_pairs(pairs, view)),
             ast::TestStepKind::Clear(names) => {
                 let mut cleared = Vec::new();
@@ -213,7 +214,12 @@ impl Resolver<'_> {
             }
             ast::TestStepKind::Wait(duration) => TestStepKind::Wait(self.duration(duration, view)),
             ast::TestStepKind::WaitScans(scans) => {
-                TestStepKind::WaitScans(u32::try_from(*scans).unwrap_or(u32::MAX))
+                let scans = u32::try_from(*scans);
+                if scans.is_err() {
+                    let message = format!("a test waits for at most {} scans", u32::MAX);
+                    self.report(Diagnostic::new(Rule::OutOfRange, span, message));
+                }
+                TestStepKind::WaitScans(scans.unwrap_or_default())
             }
             ast::TestStepKind::WaitUntil(text, within) => {
                 TestStepKind::WaitUntil(self.claim(text, view), self.duration(within, view))

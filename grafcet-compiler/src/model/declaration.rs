@@ -185,7 +185,7 @@ impl<'a> Resolver<'a> {
         let variable = &self.model[id];
         let in_template = variable
             .owner
-            .is_some_and(|owner| self.names.scopes[owner.0].template.is_some());
+            .is_some_and(|owner| self.model[owner].template.is_some());
         if variable.kind == DeclarationKind::Input && variable.address.is_none() && !in_template {
             let diagnostic = Diagnostic::new(
                 Rule::Syntax,

@@ -5,6 +5,7 @@ use super::names::{View, step_of};
 use super::resolver::Resolver;
 use crate::ast;
 use crate::diagnostic::{Diagnostic, Rule};
+use crate::source::Span;
 
 impl Resolver<'_> {
     /// Nothing by that name.
@@ -93,13 +94,14 @@ impl Resolver<'_> {
     /// Reports that a graph has no such step; `name` is the place, `X7` or `7`.
     pub(super) fn report_missing_step(&mut self, graph: GraphId, name: &ast::Name, step: &str) {
         let prefix = name.text.strip_suffix(step).unwrap_or("");
+        let called = self.called(graph, name.span);
         let help = self.suggest_or_list(step, prefix, |names| {
             names.scopes[graph.0].steps.keys().cloned().collect()
         });
         let diagnostic = Diagnostic::new(
             Rule::UnknownStep,
             name.span,
-            format!("the graph `{}` has no step {step}", self.model[graph].name),
+            format!("the graph `{called}` has no step {step}"),
         );
         self.report_with_help(diagnostic, help);
     }
@@ -122,5 +124,22 @@ impl Resolver<'_> {
             })
         };
         self.report_with_help(diagnostic, help);
+    }
+
+    /// What a graph is called at a place: in the text of its template by the template's name, so that what all
+    /// instances have in common is said once.
+    fn called(&self, graph: GraphId, place: Span) -> String {
+        let graph = &self.model[graph];
+        let within = |text: Span| {
+            text.file == place.file && text.start <= place.start && place.end <= text.end
+        };
+        let template = graph
+            .template
+            .as_ref()
+            .and_then(|name| self.names.templates.get(name));
+        match template {
+            Some(template) if within(template.span) => template.name.text.clone(),
+            _ => graph.name.clone(),
+        }
     }
 }

@@ -34,8 +34,6 @@ pub(super) struct Scope {
     pub steps: BTreeMap<String, StepName>,
     /// Identifiers that are given twice.
     pub disputed: BTreeSet<String>,
-    /// The template it is an instance of: inside, that name means this graph.
-    pub template: Option<String>,
 }
 
 /// What a step identifier stands for.
@@ -196,7 +194,7 @@ impl<'a> Resolver<'a> {
     /// A graph by its name, when it may be named from here.
     pub(super) fn find_graph(&mut self, name: &ast::Name, view: View) -> Option<GraphId> {
         if let Some(home) = view.home()
-            && self.names.scopes[home.0].template.as_deref() == Some(name.text.as_str())
+            && self.model[home].template.as_deref() == Some(name.text.as_str())
         {
             return Some(home);
         }

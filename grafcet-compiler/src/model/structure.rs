@@ -85,6 +85,7 @@ impl<'a> Resolver<'a> {
         model.graphs.push(Graph {
             name: name.text.clone(),
             text: body.text.as_ref().map(|text| text.text.clone()),
+            template: template.map(str::to_owned),
             plant: false,
             variables: variables..variables,
             steps: steps..steps,
@@ -93,10 +94,7 @@ impl<'a> Resolver<'a> {
             always: Vec::new(),
             span: name.span,
         });
-        self.names.scopes.push(Scope {
-            template: template.map(str::to_owned),
-            ..Scope::default()
-        });
+        self.names.scopes.push(Scope::default());
         self.bodies.push(Body {
             always: Vec::new(),
             steps: Vec::new(),
@@ -208,7 +206,8 @@ impl<'a> Resolver<'a> {
         let first = self.place_of(first);
         let message = format!(
             "a second step {} in the graph `{}`",
-            name.text, self.model[graph].name
+            name.text,
+            self.model[graph].own_name()
         );
         let diagnostic = Diagnostic::new(Rule::DuplicateStep, name.span, message)
             .label(first, "the first one is here");
@@ -272,7 +271,7 @@ impl<'a> Resolver<'a> {
         if let Some(first) = numbers.get(&number) {
             let message = format!(
                 "a second transition {number} in the graph `{}`",
-                self.model[graph].name
+                self.model[graph].own_name()
             );
             let diagnostic = Diagnostic::new(Rule::DuplicateTransition, name.span, message)
                 .label(*first, "the first one is here");

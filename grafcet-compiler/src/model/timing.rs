@@ -6,8 +6,10 @@ use super::{Expression, ExpressionKind, Type};
 use crate::diagnostic::{Diagnostic, Rule};
 use crate::source::Span;
 
-/// The unit of a preset in ms, and the longest one: what 32 bits of ms hold.
+/// An `int` preset counts seconds.
 const MS_PER_SECOND: i64 = 1000;
+/// The longest constant preset: 24 days.
+const LONGEST_MS: i64 = 24 * 24 * 3600 * MS_PER_SECOND;
 
 impl Resolver<'_> {
     pub(super) fn timer(
@@ -39,17 +41,18 @@ impl Resolver<'_> {
         }
     }
 
-    /// Refuses a constant preset that 32 bits of ms do not hold.
+    /// Refuses a constant preset above [`LONGEST_MS`].
     fn limited(&mut self, preset: Expression) -> Expression {
         let ms = preset.constant(&self.model).map(|value| match preset.ty {
             Some(Type::Int) => i64::from(value) * MS_PER_SECOND,
             _ => i64::from(value),
         });
-        if ms.is_some_and(|ms| i32::try_from(ms).is_err()) {
+        if ms.is_some_and(|ms| ms > LONGEST_MS) {
             let diagnostic =
-                Diagnostic::new(Rule::OutOfRange, preset.span, "a preset is at most 24 days")
-                    .help("an int preset counts seconds");
-            self.report(diagnostic);
+                Diagnostic::new(Rule::OutOfRange, preset.span, "a preset is at most 24 days");
+            let seconds = preset.ty == Some(Type::Int);
+            let help = seconds.then(|| "an int preset counts seconds".to_owned());
+            self.report_with_help(diagnostic, help);
         }
         preset
     }
@@ -77,7 +80,7 @@ impl Resolver<'_> {
 
     fn delay_time(&mut self, time: Expression) -> Expression {
         match time.ty {
-            None | Some(Type::Time) => time,
+            None | Some(Type::Time) => self.limited(time),
             Some(ty) => {
                 let message = format!("a delay is a time, and this is {}", a(ty));
                 let diagnostic = Diagnostic::new(Rule::TypeMismatch, time.span, message);
