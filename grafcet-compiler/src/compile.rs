@@ -72,22 +72,56 @@ fn analyse(
     let mut diagnostics = Vec::new();
     let files = model::load(path, text, load, &mut sources, &mut diagnostics);
     let (model, found) = model::resolve(&files, stem(path));
-    take_fresh(&mut diagnostics, found);
+    take_fresh(&sources, &mut diagnostics, found);
     diagnostics.extend(checks::errors(&model, &sources, target));
     let settled = !has_errors(&diagnostics);
     diagnostics.extend(checks::warnings(&model, settled));
     (sources, model, diagnostics)
 }
 
-/// Adds what has been found, but no unknown name in a place where the parser has already refused one.
-fn take_fresh(diagnostics: &mut Vec<Diagnostic>, found: Vec<Diagnostic>) {
-    let refused: BTreeSet<Span> = diagnostics.iter().map(|it| it.span).collect();
+/// Adds what has been found, but no unknown name that stands in a line which the parser could not read: what is
+/// declared there is not known.
+fn take_fresh(sources: &Sources, diagnostics: &mut Vec<Diagnostic>, found: Vec<Diagnostic>) {
+    let lines: BTreeSet<Span> = diagnostics
+        .iter()
+        .map(|it| line(sources, it.span))
+        .collect();
+    let unread: BTreeSet<&str> = lines
+        .iter()
+        .flat_map(|line| words(sources.text(*line)))
+        .collect();
     let unknown = [Rule::UnknownName, Rule::UnknownGraph, Rule::UnknownStep];
+    let may_be_declared = |name: &str| {
+        let step = name.strip_prefix('X').unwrap_or(name);
+        unread.contains(name) || unread.contains(step)
+    };
     diagnostics.extend(
         found
             .into_iter()
-            .filter(|it| !(unknown.contains(&it.rule) && refused.contains(&it.span))),
+            .filter(|it| !(unknown.contains(&it.rule) && may_be_declared(sources.text(it.span)))),
     );
+}
+
+/// The line in which a span begins.
+fn line(sources: &Sources, span: Span) -> Span {
+    let text = sources.get(span.file).map_or("", |source| &source.text);
+    let (before, behind) = text
+        .split_at_checked(span.start as usize)
+        .unwrap_or((text, ""));
+    let start = before.rfind('\n').map_or(0, |end| end + 1);
+    let end = before.len() + behind.find('\n').unwrap_or(behind.len());
+    let offset = |at| u32::try_from(at).unwrap_or(u32::MAX);
+    Span {
+        start: offset(start),
+        end: offset(end),
+        ..span
+    }
+}
+
+/// The names and numbers in a line.
+fn words(line: &str) -> impl Iterator<Item = &str> {
+    line.split(|c: char| !(c.is_alphanumeric() || c == '_'))
+        .filter(|word| !word.is_empty())
 }
 
 fn has_errors(diagnostics: &[Diagnostic]) -> bool {
