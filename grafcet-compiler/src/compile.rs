@@ -9,6 +9,9 @@ use crate::model::{self, Model};
 use crate::source::{Sources, Span};
 use crate::{checks, lower};
 
+/// So many errors, and so many warnings, are reported one by one.
+pub const MOST_REPORTED: usize = 1000;
+
 /// What an application is compiled for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Target {
@@ -56,7 +59,7 @@ pub fn compile(
     sort(&mut diagnostics);
     Compilation {
         sources,
-        diagnostics,
+        diagnostics: limited(diagnostics),
         application,
     }
 }
@@ -132,6 +135,40 @@ fn has_errors(diagnostics: &[Diagnostic]) -> bool {
 fn sort(diagnostics: &mut Vec<Diagnostic>) {
     diagnostics.sort_by(|a, b| (a.span, a.rule, &a.message).cmp(&(b.span, b.rule, &b.message)));
     diagnostics.dedup_by(|a, b| a.span == b.span && a.rule == b.rule && a.message == b.message);
+}
+
+/// The first [`MOST_REPORTED`] errors and as many warnings, each with a remark when there are more.
+fn limited(diagnostics: Vec<Diagnostic>) -> Vec<Diagnostic> {
+    let count = |level| diagnostics.iter().filter(|it| it.level() == level).count();
+    let totals = [Level::Error, Level::Warning].map(|level| (level, count(level)));
+    let (mut errors, mut warnings) = (0, 0);
+    let mut kept = Vec::with_capacity(diagnostics.len().min(2 * MOST_REPORTED));
+    for diagnostic in diagnostics {
+        let seen = match diagnostic.level() {
+            Level::Error => &mut errors,
+            Level::Warning => &mut warnings,
+        };
+        *seen += 1;
+        if *seen <= MOST_REPORTED {
+            kept.push(diagnostic);
+        } else if *seen == MOST_REPORTED + 1 {
+            kept.push(and_more(&diagnostic, totals));
+        }
+    }
+    kept
+}
+
+/// The remark that stands for the first diagnostic that is left out and all behind it.
+fn and_more(first: &Diagnostic, totals: [(Level, usize); 2]) -> Diagnostic {
+    let level = first.level();
+    let total = totals.iter().find(|it| it.0 == level).map_or(0, |it| it.1);
+    let word = match level {
+        Level::Error => "errors",
+        Level::Warning => "warnings",
+    };
+    let more = total - MOST_REPORTED;
+    let message = format!("and so on: {more} more {word} from here on are not shown");
+    Diagnostic::new(first.rule, first.span, message)
 }
 
 /// `lib/saw.grafcet` is called `saw`.

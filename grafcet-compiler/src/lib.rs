@@ -21,5 +21,5 @@ pub mod render;
 mod report;
 pub mod source;
 
-pub use compile::{Compilation, Target, compile};
+pub use compile::{Compilation, MOST_REPORTED, Target, compile};
 pub use parser::parse;

@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use grafcet_compiler::diagnostic::Rule;
-use grafcet_compiler::{Target, compile};
+use grafcet_compiler::{MOST_REPORTED, Target, compile};
 
 use crate::tables;
 
@@ -108,5 +108,24 @@ fn too_long_an_expression_is_refused_with_the_limit() {
     assert_eq!(
         said,
         ["an expression becomes at most 65535 operations; this one needs 99999"]
+    );
+}
+
+#[test]
+fn a_flood_of_errors_is_reported_as_far_as_anyone_reads() {
+    let names: Vec<String> = (0..3000).map(|index| format!("v{index}")).collect();
+    let text = format!("graph G {{ initial step 1 {{ {} }} }}", names.join("; "));
+    let compilation = compile(
+        "flood.grafcet",
+        &text,
+        &|path| panic!("{path}"),
+        Target::Host,
+    );
+    assert_eq!(compilation.diagnostics.len(), MOST_REPORTED + 1);
+    let last = compilation.diagnostics.last().unwrap();
+    assert_eq!(last.rule, Rule::UnknownName);
+    assert_eq!(
+        last.message,
+        "and so on: 2000 more errors from here on are not shown"
     );
 }
