@@ -144,10 +144,9 @@ impl<'m> Lowering<'m> {
         let rows = self.rows;
         let mut tables = Tables {
             period_ms: self.model.period_ms,
-            evolution: if self.model.stable {
-                Evolution::Stable
-            } else {
-                Evolution::Scan
+            evolution: match self.kind {
+                Kind::Graphs if self.model.stable => Evolution::Stable,
+                Kind::Graphs | Kind::Observer => Evolution::Scan,
             },
             fingerprint: 0,
             layout,
