@@ -14,6 +14,7 @@ use plc::boards::host::server::{Error, Terminals, serve};
 
 const TERMINALS: Terminals = Terminals {
     period_ms: 10,
+    layout: &PROGRAM.layout,
     inputs: &INPUTS,
     input_labels: &INPUT_LABELS,
     outputs: &OUTPUTS,
@@ -134,7 +135,8 @@ fn it_begins_by_saying_what_hangs_where() {
     serve(&mut machine(), &TERMINALS, &b""[..], &mut answers).expect("nothing is asked");
     let text = String::from_utf8(answers).expect("text");
     let lines: Vec<&str> = text.lines().collect();
-    assert_eq!(lines[..2], ["period 10", "input GP2 high Onduty"]);
+    let memory = format!("memory {} {}", PROGRAM.layout.words, PROGRAM.layout.numbers);
+    assert_eq!(lines[..3], ["period 10", &memory, "input GP2 high Onduty"]);
     assert_eq!(lines[lines.len() - 2..], ["output GP19 high BL2C", "ready"]);
 }
 

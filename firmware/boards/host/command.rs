@@ -156,6 +156,7 @@ async fn limited(
 fn serve_plants(mut machine: Machine) -> ExitCode {
     let terminals = Terminals {
         period_ms: PROGRAM.period_ms,
+        layout: &PROGRAM.layout,
         inputs: &INPUTS,
         input_labels: &INPUT_LABELS,
         outputs: &OUTPUTS,

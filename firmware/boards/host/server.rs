@@ -4,6 +4,7 @@
 //!
 //! ```text
 //! period 10
+//! memory 6 5
 //! input GP2 high Onduty
 //! output GP16 high BL10
 //! ready
@@ -11,8 +12,8 @@
 //!
 //! Then it answers lines until its input ends. `power LEVELS` asks for the inputs before a scan 0;
 //! `scan LEVELS IMAGE NUMBERS` for those after a scan. LEVELS are the levels at the output pins in the order above, as
-//! `0` and `1`, `-` when there are none. IMAGE and NUMBERS are what the engine's memory begins with: words of the
-//! image in hexadecimal and numbers in decimal, each separated by commas.
+//! `0` and `1`, `-` when there are none. IMAGE and NUMBERS are what the engine's memory begins with: so many words of
+//! the image, in hexadecimal, and so many numbers, in decimal, as `memory` says; each separated by commas.
 //!
 //! The answer is any number of lines `say TEXT`, then one of
 //!
@@ -22,6 +23,8 @@
 
 use std::fmt;
 use std::io::{self, BufRead, Write};
+
+use grafcet_core::program::Layout;
 
 use super::machine::Machine;
 use super::script::{Next, Outcome};
@@ -33,6 +36,8 @@ use crate::wiring::{InputWire, Label, OutputWire};
 pub struct Terminals {
     /// Scan period in ms.
     pub period_ms: u32,
+    /// Where the images lie.
+    pub layout: &'static Layout,
     /// The inputs.
     pub inputs: &'static [InputWire],
     /// What they are called.
@@ -114,7 +119,9 @@ pub fn serve(
 
 fn greet(terminals: &Terminals, answers: &mut impl Write) -> io::Result<()> {
     let active = |low| if low { "low" } else { "high" };
+    let Layout { words, numbers, .. } = terminals.layout;
     writeln!(answers, "period {}", terminals.period_ms)?;
+    writeln!(answers, "memory {words} {numbers}")?;
     for (wire, label) in terminals.inputs.iter().zip(terminals.input_labels) {
         writeln!(
             answers,
