@@ -77,11 +77,14 @@ impl Observer {
             let now = self.steps(|| engine.active_steps(index));
             if engine.bit(Bit::FIRST_SCAN) {
                 note!("{} starts in {}", name, now);
-            } else if engine.graph_forced(index) {
-                note!("{} forced: {} -> {}", name, before, now);
-            } else {
-                note!("{} {} -> {}", name, before, now);
+                return;
             }
+            let manner = match (engine.graph_forced(index), graph.enclosings.len) {
+                (false, _) => "",
+                (true, 0) => " forced:",
+                (true, _) => " enclosed:",
+            };
+            note!("{}{} {} -> {}", name, manner, before, now);
         }
         for transition in fired {
             let Some(row) = program.transitions.get(transition) else {

@@ -85,6 +85,28 @@ fn a_forced_change_is_called_forced_with_both_situations() {
 }
 
 #[test]
+fn a_graph_that_its_enclosing_step_starts_and_ends_is_called_enclosed() {
+    let cell = program(
+        "input go
+         graph Line { initial step 1; step 2 encloses Cell {3}
+             transition 1: 1 -> 2 when go
+             transition 2: 2 -> 1 when NOT go }
+         graph Cell { step 3; step 4; transition 1: 3 -> 4 when go }",
+    );
+    let lines = said(cell, &[&[], &[("go", true)], &[], &[("go", false)]]);
+    assert_eq!(lines[0], ["Line starts in {1}"]);
+    assert_eq!(
+        lines[1],
+        ["Line T1: {1} -> {2}", "Cell enclosed: {} -> {3}"]
+    );
+    assert_eq!(lines[2], ["Cell T1: {3} -> {4}"]);
+    assert_eq!(
+        lines[3],
+        ["Line T2: {2} -> {1}", "Cell enclosed: {4} -> {}"]
+    );
+}
+
+#[test]
 fn arithmetic_faults_are_counted_in_the_log() {
     let divide = program(
         "var n : int = 1; var zero : int = 0
