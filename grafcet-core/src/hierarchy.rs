@@ -134,10 +134,9 @@ impl Engine<'_, '_> {
         }
     }
 
-    /// `{*}` and a held graph: the situation before this scan (round), the initial one in scan 0.
+    /// `{*}` and a held graph: the situation before this scan (round); in scan 0 the initial one, which it still has.
     fn take_before(&mut self, graph: &Graph, pass: Pass) {
         if pass == Pass::Start {
-            self.take(graph, graph.initial);
             return;
         }
         let first = graph.words.start;

@@ -1,15 +1,20 @@
 //! Differences that have been found, as claims: the engine and the reference agree on them, and on what the law says.
 
-use grafcet_reference::{Machine, Program};
+use grafcet_reference::Machine;
 
-use crate::compare::{compare, tree};
+use crate::compare::{Trees, compare};
+use crate::render::Text;
 use crate::stimulus::{Scan, full_name};
 
 /// The cells of these columns, scan by scan, separated by points, from both alike; `inputs` holds for each scan the
 /// Boolean inputs that are True.
 fn agreed(text: &str, columns: &[&str], inputs: &[&str]) -> Vec<String> {
-    let file = tree(text);
-    let program = Program::new(&file, &[]);
+    let text = Text {
+        main: text.to_owned(),
+        library: None,
+    };
+    let trees = Trees::of(&text);
+    let program = trees.program();
     let scan = |on: &&str| Scan {
         given: program
             .inputs()
@@ -25,7 +30,7 @@ fn agreed(text: &str, columns: &[&str], inputs: &[&str]) -> Vec<String> {
         ..Scan::default()
     };
     let stimulus: Vec<Scan> = inputs.iter().map(scan).collect();
-    if let Err(failure) = compare(text, &stimulus) {
+    if let Err(failure) = compare(&text, &stimulus) {
         panic!("{failure}");
     }
     let header = program.header();
@@ -69,4 +74,25 @@ fn each_edge_that_is_written_counts_the_faults_of_its_own_operand() {
         graph Saw1 = Saw { run = TRUE }
         graph Saw2 = Saw { run = TRUE }";
     assert_eq!(agreed(text, &["faults"], &["", ""]), ["4", "8"]);
+}
+
+#[test]
+fn freezing_in_scan_0_keeps_what_the_graph_has_then_and_activates_nothing() {
+    let text = "
+        graph Top {
+            always { F/Low:{*}; F/Late:{*}; F/Middle:{6} }
+            initial step 1 encloses Low{5}
+            initial step 2 encloses Middle{}
+        }
+        graph Middle {
+            step 6 encloses Late{7}
+        }
+        graph Low {
+            step 5
+        }
+        graph Late {
+            initial step 7
+        }";
+    let rows = agreed(text, &["Middle", "Low", "Late"], &["", ""]);
+    assert_eq!(rows, ["6.5.", "6.5."]);
 }
