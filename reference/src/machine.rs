@@ -29,7 +29,7 @@ pub struct Machine<'a> {
     /// Everything that has a value and is no constant. Momentary variables are as the previous scan left them until
     /// phase 7 is over.
     pub(crate) values: BTreeMap<Qualified<'a>, Value>,
-    /// What stands at the inputs.
+    /// What stands at the inputs: 0 until something else is given.
     samples: BTreeMap<Qualified<'a>, i32>,
     /// The inputs that were outside their range when they were sampled last.
     outside: BTreeSet<Qualified<'a>>,
@@ -81,7 +81,7 @@ impl<'a> Machine<'a> {
             values: variables
                 .map(|name| (name, program.initial(name)))
                 .collect(),
-            samples: BTreeMap::new(),
+            samples: program.inputs().into_iter().map(|name| (name, 0)).collect(),
             outside: BTreeSet::new(),
             before: empty.clone(),
             situation: empty,
@@ -112,6 +112,12 @@ impl<'a> Machine<'a> {
     pub fn restore(&mut self, name: Qualified<'a>, number: i32) {
         self.values
             .insert(name, Value::of(self.program.ty(name), number));
+    }
+
+    /// The time stamp of the latest scan in ms since scan 0.
+    #[must_use]
+    pub fn time_ms(&self) -> u64 {
+        self.now_ms
     }
 
     /// The value of a variable.

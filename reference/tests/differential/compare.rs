@@ -1,126 +1,69 @@
 //! One program in the engine and in the reference, row by row.
 
-use std::collections::BTreeMap;
-use std::fmt;
+use std::collections::{BTreeMap, BTreeSet};
 
 use grafcet::images::Images;
 use grafcet::memory::Vectors;
 use grafcet::trace::Columns;
 use grafcet_compiler::application::{Application, Unit};
+use grafcet_compiler::diagnostic::Level;
 use grafcet_compiler::render::{Style, render};
 use grafcet_compiler::source::FileId;
 use grafcet_compiler::{Target, ast, compile, parse};
 use grafcet_core::engine::Engine;
-use grafcet_core::program::Slot;
+use grafcet_core::program::{Bit, Number, Slot};
 use grafcet_reference::{Machine, Program, Qualified};
 
+use crate::outcome::{Failure, Tally};
+use crate::render::{LIBRARY, Text};
 use crate::stimulus::{Scan, full_name};
 
-/// What a comparison has come upon.
-#[derive(Debug)]
-pub enum Failure {
-    /// The compiler refuses the program.
-    Refused(String),
-    /// The headers differ.
-    Header {
-        engine: Vec<String>,
-        reference: Vec<String>,
-    },
-    /// The rows differ, for the first time in this scan.
-    Row {
-        scan: usize,
-        differences: Vec<String>,
-    },
-    /// One of both has panicked.
-    Panic(String),
+/// The syntax trees of the main file and the library.
+pub struct Trees {
+    main: ast::File,
+    libraries: Vec<ast::File>,
 }
 
-impl Failure {
-    /// Whether another failure is of the same kind, so that shrinking stays with one fault.
-    pub fn is_like(&self, other: &Failure) -> bool {
-        std::mem::discriminant(self) == std::mem::discriminant(other)
-    }
-}
-
-impl fmt::Display for Failure {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Failure::Refused(diagnostics) => write!(f, "the compiler refuses it:\n{diagnostics}"),
-            Failure::Header { engine, reference } => {
-                write!(f, "the headers differ:\n{engine:?}\n{reference:?}")
-            }
-            Failure::Row { scan, differences } => {
-                write!(
-                    f,
-                    "scan {scan} differs (engine, reference): {}",
-                    differences.join("; ")
-                )
-            }
-            Failure::Panic(message) => write!(f, "a panic: {message}"),
+impl Trees {
+    /// Of a program that is known to be well-formed.
+    pub fn of(text: &Text) -> Self {
+        let tree = |file, text: &str| parse(FileId(file), text, &mut Vec::new());
+        Trees {
+            main: tree(0, &text.main),
+            libraries: text.library.iter().map(|text| tree(1, text)).collect(),
         }
     }
-}
 
-/// What was seen of the engine at work.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct Tally {
-    pub programs: usize,
-    pub scans: usize,
-    pub transitions: usize,
-    /// Transitions that fired at least once.
-    pub fired: usize,
-    pub steps: usize,
-    /// Steps that were active after a scan at least once.
-    pub active: usize,
-    /// Scans times graphs under a forcing order.
-    pub forced: usize,
-    /// Programs in which a calculation went wrong.
-    pub with_faults: usize,
-}
-
-impl Tally {
-    pub fn add(&mut self, other: Tally) {
-        self.programs += other.programs;
-        self.scans += other.scans;
-        self.transitions += other.transitions;
-        self.fired += other.fired;
-        self.steps += other.steps;
-        self.active += other.active;
-        self.forced += other.forced;
-        self.with_faults += other.with_faults;
+    pub fn program(&self) -> Program<'_> {
+        Program::new(&self.main, &self.libraries)
     }
-}
-
-/// The syntax tree of a program that is known to be well-formed.
-pub fn tree(text: &str) -> ast::File {
-    parse(FileId(0), text, &mut Vec::new())
 }
 
 /// Compiles a program.
-pub fn application(text: &str) -> Result<Application, Failure> {
-    let missing = |_: &str| Err(std::io::ErrorKind::NotFound.into());
-    let compilation = compile("random.grafcet", text, &missing, Target::Host);
-    let errors: Vec<_> = compilation
-        .diagnostics
-        .iter()
-        .filter(|d| d.level() == grafcet_compiler::diagnostic::Level::Error)
-        .cloned()
-        .collect();
-    let refused = || Failure::Refused(render(&errors, &compilation.sources, Style::default()));
-    let application = compilation.application.clone().ok_or_else(refused)?;
-    match application.controller.tables.program().unsoundness() {
-        None => Ok(application),
-        Some(fault) => Err(Failure::Refused(format!("unsound tables: {fault:?}"))),
+pub fn application(text: &Text) -> Result<Application, Failure> {
+    let library = |path: &str| match &text.library {
+        Some(library) if path == LIBRARY => Ok(library.clone()),
+        _ => Err(std::io::ErrorKind::NotFound.into()),
+    };
+    let compilation = compile("random.grafcet", &text.main, &library, Target::Host);
+    if let Some(application) = compilation.application {
+        return match application.controller.tables.program().unsoundness() {
+            None => Ok(application),
+            Some(fault) => Err(Failure::Refused(format!("unsound tables: {fault:?}"))),
+        };
     }
+    let mut errors = compilation.diagnostics;
+    errors.retain(|diagnostic| diagnostic.level() == Level::Error);
+    let errors = render(&errors, &compilation.sources, Style::default());
+    Err(Failure::Refused(errors))
 }
 
 /// Runs a program in both and compares every row.
-pub fn compare(text: &str, stimulus: &[Scan]) -> Result<Tally, Failure> {
+pub fn compare(text: &Text, stimulus: &[Scan]) -> Result<Tally, Failure> {
     let run = || -> Result<Tally, Failure> {
         let application = application(text)?;
-        let tree = tree(text);
-        let reference = Program::new(&tree, &[]);
-        Comparison::run(&application.controller, &reference, stimulus)
+        let trees = Trees::of(text);
+        Comparison::run(&application.controller, &trees.program(), stimulus)
     };
     std::panic::catch_unwind(run).unwrap_or_else(|panic| {
         let message = panic
@@ -131,6 +74,7 @@ pub fn compare(text: &str, stimulus: &[Scan]) -> Result<Tally, Failure> {
     })
 }
 
+/// One program, twice.
 struct Comparison<'a> {
     unit: &'a Unit,
     slots: BTreeMap<&'a str, Slot>,
@@ -150,44 +94,36 @@ impl<'a> Comparison<'a> {
             let names = names.into_iter();
             names.map(|name| (full_name(name), name)).collect()
         };
+        let slots = unit.symbols.variables.iter();
         let comparison = Comparison {
             unit,
-            slots: unit
-                .symbols
-                .variables
-                .iter()
-                .map(|v| (v.name.as_str(), v.slot))
-                .collect(),
+            slots: slots.map(|v| (v.name.as_str(), v.slot)).collect(),
             columns: Columns::of(unit),
             inputs: named(reference.inputs()),
             parameters: named(reference.parameters()),
             reference,
         };
-        comparison.compare(stimulus)
+        let engine: Vec<String> = comparison.columns.header().map(str::to_owned).collect();
+        let reference = reference.header();
+        if engine == reference {
+            comparison.compare(stimulus)
+        } else {
+            Err(Failure::Header { engine, reference })
+        }
     }
 
     fn compare(&self, stimulus: &[Scan]) -> Result<Tally, Failure> {
-        let engine: Vec<String> = self.columns.header().map(str::to_owned).collect();
-        let reference = self.reference.header();
-        if engine != reference {
-            return Err(Failure::Header { engine, reference });
-        }
         let tables = self.unit.tables.program();
         let mut vectors = Vectors::new(&tables);
         let mut engine = Engine::new(&tables, vectors.memory());
         let mut machine = Machine::new(self.reference);
-        let mut inputs: BTreeMap<&str, i32> = BTreeMap::new();
+        let mut inputs: BTreeMap<&String, i32> = self.inputs.keys().map(|name| (name, 0)).collect();
         let mut seen = Seen::default();
-        let mut time_ms = 0;
-        let mut started = false;
+        let mut next_ms = 0;
         for (number, scan) in stimulus.iter().enumerate() {
             if let Some(recovered) = scan.power_cycle {
-                let names = self.reference.retained().into_iter();
-                let kept: Vec<(Qualified<'a>, i32)> = names
-                    .filter_map(|name| Some((name, machine.value(name)?.number())))
-                    .collect();
+                let kept = self.retained(&machine);
                 machine = Machine::new(self.reference);
-                machine.set_recovered(recovered);
                 drop(engine);
                 vectors = Vectors::new(&tables);
                 engine = Engine::new(&tables, vectors.memory());
@@ -195,16 +131,17 @@ impl<'a> Comparison<'a> {
                     machine.restore(name, value);
                     engine.restore(self.slots[full_name(name).as_str()], value);
                 }
+                machine.set_recovered(recovered);
                 engine.set_recovered(recovered);
-                started = false;
+                next_ms = 0;
             }
             if let Some(overruns) = scan.overruns {
-                machine.set_overruns(overruns as i32);
-                engine.set_overruns(overruns);
+                machine.set_overruns(overruns);
+                engine.set_overruns(overruns.unsigned_abs());
             }
             for (name, value) in &scan.given {
-                if self.inputs.contains_key(name) {
-                    inputs.insert(name, *value);
+                if let Some((input, _)) = self.inputs.get_key_value(name) {
+                    inputs.insert(input, *value);
                 } else if let Some(parameter) = self.parameters.get(name) {
                     machine.set(*parameter, *value);
                     engine.set_parameter(self.slots[name.as_str()], *value);
@@ -212,30 +149,38 @@ impl<'a> Comparison<'a> {
             }
             for (name, value) in &inputs {
                 machine.set(self.inputs[*name], *value);
-                match self.slots[*name] {
+                match self.slots[name.as_str()] {
                     Slot::Bit(bit) => engine.set_input(bit, *value != 0),
                     Slot::Number(number) => engine.sample_number(number, *value),
                 }
             }
-            if started {
-                time_ms += scan.periods * self.reference.period_ms;
-                engine.scan(time_ms);
-            } else {
-                time_ms = 0;
+            if next_ms == 0 {
                 engine.start();
-                started = true;
+                machine.scan(0);
+                next_ms = self.reference.period_ms;
+            } else {
+                let time_ms = next_ms + (scan.periods - 1) * self.reference.period_ms;
+                engine.scan(time_ms);
+                machine.scan(time_ms);
+                next_ms = time_ms + self.reference.period_ms;
             }
-            machine.scan(time_ms);
             seen.look(&engine);
-            self.same_rows(number, time_ms, &engine, &machine)?;
+            self.same_rows(number, &engine, &machine)?;
         }
         Ok(seen.tally(stimulus.len(), &engine))
+    }
+
+    /// What survives a loss of power.
+    fn retained(&self, machine: &Machine<'a>) -> Vec<(Qualified<'a>, i32)> {
+        let names = self.reference.retained().into_iter();
+        names
+            .filter_map(|name| Some((name, machine.value(name)?.number())))
+            .collect()
     }
 
     fn same_rows(
         &self,
         scan: usize,
-        time_ms: u64,
         engine: &Engine<'_, '_>,
         machine: &Machine<'_>,
     ) -> Result<(), Failure> {
@@ -243,6 +188,7 @@ impl<'a> Comparison<'a> {
             image: engine.image(),
             numbers: engine.numbers(),
         };
+        let time_ms = machine.time_ms();
         let cells = self.columns.row(time_ms, images).zip(machine.row());
         let differences: Vec<String> = self
             .columns
@@ -262,26 +208,24 @@ impl<'a> Comparison<'a> {
 /// What happened at least once.
 #[derive(Default)]
 struct Seen {
-    fired: BTreeMap<usize, ()>,
-    active: BTreeMap<(usize, usize), ()>,
+    fired: BTreeSet<usize>,
+    active: BTreeSet<(usize, usize)>,
     forced: usize,
+    unstable: usize,
 }
 
 impl Seen {
     fn look(&mut self, engine: &Engine<'_, '_>) {
-        self.fired
-            .extend(engine.fired().map(|transition| (transition, ())));
+        self.fired.extend(engine.fired());
         for graph in 0..engine.program().graphs.len() {
-            self.active
-                .extend(engine.active_steps(graph).map(|step| ((graph, step), ())));
+            let steps = engine.active_steps(graph);
+            self.active.extend(steps.map(|step| (graph, step)));
             self.forced += usize::from(engine.graph_forced(graph));
         }
+        self.unstable += usize::from(engine.bit(Bit::UNSTABLE));
     }
 
     fn tally(&self, scans: usize, engine: &Engine<'_, '_>) -> Tally {
-        let faults = engine.value(Slot::Number(
-            grafcet_core::program::Number::ARITHMETIC_FAULTS,
-        ));
         Tally {
             programs: 1,
             scans,
@@ -290,7 +234,8 @@ impl Seen {
             steps: engine.program().steps.len(),
             active: self.active.len(),
             forced: self.forced,
-            with_faults: usize::from(faults > 0),
+            unstable: self.unstable,
+            with_faults: usize::from(engine.number(Number::ARITHMETIC_FAULTS) > 0),
         }
     }
 }

@@ -69,6 +69,7 @@ pub fn program(random: &mut Random, allowed: Features) -> Program {
     let graphs = (0..generator.outlines.len())
         .map(|index| generator.graph(index))
         .collect();
+    let library = generator.features.templates && generator.random.chance(40);
     let declarations = generator
         .globals
         .iter()
@@ -76,6 +77,7 @@ pub fn program(random: &mut Random, allowed: Features) -> Program {
         .collect();
     Program {
         stable: generator.features.stable,
+        library,
         period_ms: *generator.random.pick(&[10, 10, 10, 5, 7]),
         declarations,
         graphs,
@@ -103,13 +105,19 @@ impl Generator<'_> {
         self.globals
             .push(Variable::plain("output", "faults", Type::Int, Mode::Faults));
         for name in ["A", "B", "température", "LAMP"] {
-            let kind = *self.random.pick(&["output", "output", "var"]);
+            let kind = *self.random.pick(&["output", "output", "var", "retain var"]);
             let variable = self.boolean(kind, name);
             self.globals.push(variable);
         }
         for name in ["n", "m"] {
             let kind = *self.random.pick(&["output", "var", "retain var"]);
-            let variable = self.variable(kind, name, Type::Int, Mode::Stored);
+            let mut variable = self.variable(kind, name, Type::Int, Mode::Stored);
+            if self.random.chance(30) {
+                let letter = if kind == "output" { 'Q' } else { 'M' };
+                let number = if name == "n" { 20 } else { 24 };
+                variable.address = Some(format!("%{letter}W{number}"));
+                variable.range = variable.range.filter(|(_, high)| *high < i32::MAX);
+            }
             self.globals.push(variable);
         }
         let time = self.variable("var", "t", Type::Time, Mode::Stored);
@@ -120,7 +128,15 @@ impl Generator<'_> {
         lap.initial = Some("20ms".to_owned());
         let mut few = Variable::plain("const", "FEW", Type::Int, Mode::Read);
         few.initial = Some(self.random.pick(&["3", "-2", "16#1F"]).to_string());
-        self.globals.extend([time, preset, limit, enable, lap, few]);
+        let mut most = Variable::plain("const", "LIMIT", Type::Int, Mode::Read);
+        most.initial = Some("-FEW".to_owned());
+        let mut on = Variable::plain("const", "ON", Type::Bool, Mode::Read);
+        on.initial = Some("TRUE".to_owned());
+        let mut interval = self.variable("input", "interval", Type::Time, Mode::Read);
+        interval.initial = None;
+        interval.range = None;
+        let settings = [time, preset, limit, enable, lap, few, most, on, interval];
+        self.globals.extend(settings);
         self.random.shuffle(&mut self.globals);
     }
 

@@ -7,6 +7,7 @@
 mod claims;
 mod compare;
 mod generate;
+mod outcome;
 mod program;
 mod random;
 mod render;
@@ -16,8 +17,9 @@ mod stimulus;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicU64, Ordering};
 
-use compare::{Failure, Tally, compare};
+use compare::{Trees, compare};
 use generate::Features;
+use outcome::{Failure, Tally};
 use random::Random;
 use shrink::{Case, shrunk};
 
@@ -46,7 +48,7 @@ fn the_engine_and_the_reference_leave_the_same_traces() {
                     if seed >= first + programs || lower_failed {
                         return;
                     }
-                    match try_seed(seed) {
+                    match outcome(&case(seed)) {
                         Ok(seen) => tally.lock().expect("a lock").add(seen),
                         Err(_) => {
                             let mut failed = failed.lock().expect("a lock");
@@ -95,54 +97,38 @@ fn number(variable: &str) -> Option<u64> {
     )
 }
 
-fn case(seed: u64) -> Result<Case, Failure> {
+fn case(seed: u64) -> Case {
     let mut random = Random::new(seed);
     let program = generate::program(&mut random, Features::ALL);
-    let text = program.to_string();
-    compare::application(&text)?;
-    let tree = compare::tree(&text);
-    let stimulus = stimulus::stimulus(
-        &mut random,
-        &grafcet_reference::Program::new(&tree, &[]),
-        SCANS,
-    );
-    Ok(Case { program, stimulus })
+    let trees = Trees::of(&program.text());
+    let stimulus = stimulus::stimulus(&mut random, &trees.program(), SCANS);
+    Case { program, stimulus }
 }
 
-fn try_seed(seed: u64) -> Result<Tally, Failure> {
-    let case = case(seed)?;
-    compare(&case.program.to_string(), &case.stimulus)
+fn outcome(case: &Case) -> Result<Tally, Failure> {
+    compare(&case.program.text(), &case.stimulus)
 }
 
 /// What a person needs to find the fault behind a seed.
 fn report(seed: u64) -> String {
-    let mut case = match case(seed) {
-        Ok(case) => case,
-        Err(failure) => {
-            let text = generate::program(&mut Random::new(seed), Features::ALL);
-            return format!("SEED={seed}: {failure}\n{text}");
-        }
-    };
-    let fails = |case: &Case| compare(&case.program.to_string(), &case.stimulus).err();
-    let Some(failure) = fails(&case) else {
-        return format!("SEED={seed} failed only once");
+    let mut case = case(seed);
+    let failure = match outcome(&case) {
+        Ok(_) => return format!("SEED={seed} failed only once"),
+        Err(Failure::Refused(why)) => return format!("SEED={seed}: {}", Failure::Refused(why)),
+        Err(failure) => failure,
     };
     if let Failure::Row { scan, .. } = failure {
         case.stimulus.truncate(scan + 1);
     }
     let small = shrunk(case, |case| {
-        fails(case).is_some_and(|other| failure.is_like(&other))
+        outcome(case).is_err_and(|other| failure.is_like(&other))
     });
-    let failure = fails(&small).map(|failure| failure.to_string());
+    let failure = outcome(&small).map_or_else(|failure| failure.to_string(), |_| String::new());
     let scans: Vec<String> = small
         .stimulus
         .iter()
         .map(|scan| format!("{scan:?}"))
         .collect();
-    format!(
-        "SEED={seed}: {}\n{}\n{}",
-        failure.unwrap_or_default(),
-        small.program,
-        scans.join("\n")
-    )
+    let text = small.program.text();
+    format!("SEED={seed}: {failure}\n{text}\n{}", scans.join("\n"))
 }

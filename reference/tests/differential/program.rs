@@ -4,6 +4,8 @@
 #[derive(Clone, Debug)]
 pub struct Program {
     pub stable: bool,
+    /// The templates stand in a library of their own.
+    pub library: bool,
     pub period_ms: u32,
     pub declarations: Vec<Declaration>,
     pub graphs: Vec<Graph>,
@@ -100,6 +102,8 @@ pub enum Statement {
         situation: Situation,
         condition: Option<Expression>,
     },
+    /// Level 1.
+    Text(&'static str),
 }
 
 #[derive(Clone, Debug)]

@@ -34,18 +34,47 @@ impl Display for If<'_> {
     }
 }
 
-impl Display for Program {
-    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
-        writeln!(f, "scan {}ms", self.period_ms)?;
-        let evolution = if self.stable { "stable" } else { "scan" };
-        writeln!(f, "evolution {evolution}")?;
-        for declaration in &self.declarations {
-            writeln!(f, "{declaration}")?;
+/// The text of a program: its main file, and a library if it has one.
+#[derive(Clone, Debug)]
+pub struct Text {
+    pub main: String,
+    pub library: Option<String>,
+}
+
+/// By which path the main file imports its library.
+pub const LIBRARY: &str = "saw.grafcet";
+
+impl Program {
+    pub fn text(&self) -> Text {
+        let is_template = |graph: &&Graph| matches!(graph.role, Role::Template);
+        let templates: Vec<Graph> = self.graphs.iter().filter(is_template).cloned().collect();
+        let mut main = String::new();
+        if self.library {
+            main += &format!("import \"{LIBRARY}\"\n");
         }
+        main += &format!("scan {}ms\n", self.period_ms);
+        main += &format!(
+            "evolution {}\n",
+            if self.stable { "stable" } else { "scan" }
+        );
+        main += &format!("{}\n", Joined(&self.declarations, "\n"));
         for graph in &self.graphs {
-            writeln!(f, "{graph}")?;
+            if !(self.library && is_template(&graph)) {
+                main += &format!("{graph}\n");
+            }
         }
-        Ok(())
+        let library = self.library.then(|| Joined(&templates, "\n").to_string());
+        Text { main, library }
+    }
+}
+
+impl Display for Text {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.main)?;
+        match &self.library {
+            Some(library) => write!(f, "// {LIBRARY}:\n{library}"),
+            None => Ok(()),
+        }
     }
 }
 
@@ -185,6 +214,7 @@ impl Display for Statement {
                 situation,
                 condition,
             } => write!(f, "F/{graph}:{situation}{}", If(condition)),
+            Statement::Text(text) => write!(f, "\"{text}\""),
         }
     }
 }

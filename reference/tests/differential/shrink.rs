@@ -95,8 +95,10 @@ impl Cut {
         }
         self.list(&mut case.program.graphs, Self::graph);
         self.list(&mut case.program.declarations, Self::declaration);
-        if case.program.stable && self.here() {
-            case.program.stable = false;
+        for option in [&mut case.program.stable, &mut case.program.library] {
+            if *option && self.here() {
+                *option = false;
+            }
         }
     }
 
@@ -169,6 +171,7 @@ impl Cut {
                 }
                 self.list(statements, Self::statement);
             }
+            Statement::Text(_) => {}
             Statement::Force {
                 situation,
                 condition,

@@ -1,5 +1,7 @@
 //! What happens to a program from outside.
 
+use std::collections::BTreeMap;
+
 use grafcet_reference::{Program, Qualified};
 
 use crate::random::Random;
@@ -12,7 +14,7 @@ pub struct Scan {
     /// Power goes and comes back first; whether the start counts as a recovery.
     pub power_cycle: Option<bool>,
     /// `System:overruns` from now on.
-    pub overruns: Option<u32>,
+    pub overruns: Option<i32>,
     /// How many periods after the scan before this one comes.
     pub periods: u64,
 }
@@ -30,33 +32,34 @@ pub fn full_name((graph, name): Qualified<'_>) -> String {
 pub fn stimulus(random: &mut Random, program: &Program<'_>, scans: usize) -> Vec<Scan> {
     let restless = *random.pick(&[10, 30, 50]);
     let late = random.chance(30);
-    let with_power_cycles = random.chance(25);
+    let power_cycles = *random.pick(&[0, 0, 0, 2, 20]);
+    let inputs = program.inputs().into_iter().map(|name| (name, restless));
+    let parameters = program.parameters().into_iter().map(|name| (name, 3));
+    let terminals: Vec<(Qualified<'_>, usize)> = inputs.chain(parameters).collect();
+    // A value that has been given is no new one.
+    let mut latest = BTreeMap::new();
     let mut overruns = 0;
     let mut stimulus = Vec::new();
-    for number in 0..scans {
+    for _ in 0..scans {
         let mut scan = Scan {
             periods: 1,
             ..Scan::default()
         };
-        for input in program.inputs() {
-            if random.chance(restless) {
-                let value = value(random, program.is_boolean(input));
-                scan.given.push((full_name(input), value));
+        for (name, percent) in &terminals {
+            if random.chance(*percent) {
+                let value = value(random, program.is_boolean(*name));
+                if latest.insert(*name, value) != Some(value) {
+                    scan.given.push((full_name(*name), value));
+                }
             }
         }
-        for parameter in program.parameters() {
-            if random.chance(3) {
-                let value = value(random, program.is_boolean(parameter));
-                scan.given.push((full_name(parameter), value));
-            }
-        }
-        if late && number > 0 && random.chance(10) {
+        if late && random.chance(10) {
             // An overrun, or once in a while a very long time.
             scan.periods = *random.pick(&[2, 3, 7, 2, 3, 7, 1 << 31, 1 << 33]);
             overruns += 1;
             scan.overruns = Some(overruns);
         }
-        if with_power_cycles && random.chance(2) {
+        if random.chance(power_cycles) {
             scan.power_cycle = Some(random.chance(50));
         }
         stimulus.push(scan);

@@ -25,9 +25,13 @@ impl Generator<'_> {
     /// The action of a step.
     pub fn step_action(&mut self, graph: usize, names: &Names) -> Vec<Statement> {
         let count = self.random.below(4);
-        (0..count)
+        let mut statements: Vec<Statement> = (0..count)
             .filter_map(|_| self.step_statement(graph, names))
-            .collect()
+            .collect();
+        if !statements.is_empty() && self.random.chance(5) {
+            statements.push(Statement::Text("what it is for"));
+        }
+        statements
     }
 
     fn step_statement(&mut self, graph: usize, names: &Names) -> Option<Statement> {
@@ -220,7 +224,10 @@ impl Generator<'_> {
             name,
             ty: variable.ty,
             mode: variable.mode,
-            range: variable.range,
+            // A word holds 16 bits.
+            range: variable
+                .range
+                .or(variable.address.is_some().then_some((-32_768, 32_767))),
         };
         let mine = own.variables.iter().map(|v| target(v.name.clone(), v));
         // A template's statements are its instances' too: what they write of the application has to suit them all.

@@ -39,7 +39,9 @@ const INTEGERS: [&str; 12] = [
     "2147483647",
     "(-2147483648)",
 ];
-const DURATIONS: [&str; 8] = ["0ms", "10ms", "15ms", "20ms", "30ms", "50ms", "0.1s", "1h"];
+const DURATIONS: [&str; 9] = [
+    "0ms", "10ms", "15ms", "T#20ms", "30ms", "50ms", "0.1s", "1h", "0.02 s",
+];
 
 impl Expressions<'_> {
     /// A Boolean, at most so many operators deep.

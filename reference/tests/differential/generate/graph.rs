@@ -4,7 +4,7 @@ use super::Generator;
 use super::expression::{Names, subset};
 use super::outline::{Expansion, Kind, Mode, Outline, Variable};
 use crate::program::{
-    Binding, Element, Expression, Graph, Role, Statement, Step, Transition, Type,
+    Binding, Element, Expression, Graph, Role, Situation, Statement, Step, Transition, Type,
 };
 
 impl Generator<'_> {
@@ -67,6 +67,10 @@ impl Generator<'_> {
         }
         for (entrance, exit) in self.arrows(&outline.nodes) {
             let transition = self.transition(index, &mut number, entrance, exit, names);
+            elements.push(transition);
+        }
+        if self.random.chance(50) {
+            let transition = self.revival(index, &mut number, &first, names);
             elements.push(transition);
         }
         for _ in 0..self.random.below(3) {
@@ -184,6 +188,24 @@ impl Generator<'_> {
         arrows
     }
 
+    /// A source transition for a graph that has lost its last step.
+    fn revival(&mut self, index: usize, number: &mut usize, step: &str, names: &Names) -> Element {
+        let empty = Expression::Situation(
+            self.outlines[index].name.clone(),
+            true,
+            Situation::Steps(Vec::new()),
+        );
+        let input = Expression::leaf(*self.random.pick(&["a", "b", "c", "d"]));
+        let element = self.transition(index, number, Vec::new(), vec![step.to_owned()], names);
+        match element {
+            Element::Transition(transition) => Element::Transition(Transition {
+                trigger: Some(Expression::binary("AND", empty, input)),
+                ..transition
+            }),
+            other => other,
+        }
+    }
+
     fn transition(
         &mut self,
         index: usize,
@@ -213,12 +235,12 @@ impl Generator<'_> {
         let inputs = ["a", "b", "c", "d"];
         let input = Expression::leaf(*self.random.pick(&inputs));
         match self.random.below(100) {
-            0..8 => None,
-            8..10 => Some(Expression::leaf(*self.random.pick(&["True", "TRUE"]))),
-            10..30 => Some(input),
-            30..42 => Some(Expression::unary("↑", input)),
-            42..48 => Some(Expression::unary("NOT", input)),
-            48..64 if !entrance.is_empty() => {
+            0..10 => None,
+            10..12 => Some(Expression::leaf(*self.random.pick(&["True", "TRUE"]))),
+            12..36 => Some(input),
+            36..46 => Some(Expression::unary("↑", input)),
+            46..54 => Some(Expression::unary("NOT", input)),
+            54..70 if !entrance.is_empty() => {
                 let enable = Expression::leaf(format!("X{}", self.random.pick(entrance)));
                 let preset = *self.random.pick(&["10ms", "20ms", "30ms", "LAP", "delay"]);
                 Some(Expression::Timer(
@@ -226,7 +248,7 @@ impl Generator<'_> {
                     Box::new(Expression::leaf(preset)),
                 ))
             }
-            64..72 => Some(Expression::binary(
+            70..80 => Some(Expression::binary(
                 "OR",
                 input,
                 self.expressions(names).boolean(2),
@@ -255,12 +277,19 @@ impl Generator<'_> {
                     continue;
                 }
                 // What is bound reads no momentary variable: the template's outputs have the lowest rank.
+                ("input", Type::Bool) if self.random.chance(35) => {
+                    Expression::leaf(self.random.pick(&names.bits))
+                }
                 ("input", Type::Bool) => {
                     let mut expressions = self.expressions(&names);
                     expressions.rank = Some(0);
                     expressions.boolean(2)
                 }
-                ("input", _) => self.expressions(&names).integer(2),
+                // No constant, which could be too long for a preset.
+                ("input", _) => {
+                    let added = self.expressions(&names).integer(1);
+                    Expression::binary("+", Expression::leaf("level"), added)
+                }
                 ("output", _) => match target {
                     Some(target) if self.random.chance(70) => Expression::leaf(target),
                     _ => {

@@ -118,6 +118,14 @@ impl Generator<'_> {
         for (outline, level) in self.outlines.iter_mut().zip(levels) {
             outline.level = level;
         }
+        // What a template orders, each of its instances does.
+        for index in 0..self.outlines.len() {
+            let instances = self.outlines.iter();
+            let instances = instances.filter(|o| o.kind == Kind::Instance(index));
+            if let Some(highest) = instances.map(|o| o.level).max() {
+                self.outlines[index].level = highest;
+            }
+        }
     }
 
     /// Decides which steps enclose which graphs.
@@ -126,14 +134,14 @@ impl Generator<'_> {
             return;
         }
         for lower in 0..self.outlines.len() {
-            let written = |o: &Outline| o.kind == Kind::Written;
             let level = self.outlines[lower].level;
+            let superior = |o: &Outline| !matches!(o.kind, Kind::Instance(_)) && o.level < level;
             let superiors: Vec<usize> = (0..self.outlines.len())
-                .filter(|at| written(&self.outlines[*at]) && self.outlines[*at].level < level)
+                .filter(|at| superior(&self.outlines[*at]))
                 .collect();
             if superiors.is_empty()
                 || self.outlines[lower].kind == Kind::Template
-                || self.random.chance(40)
+                || self.random.chance(25)
             {
                 continue;
             }
@@ -191,7 +199,21 @@ impl Generator<'_> {
             let variable = self.variable("var", own, Type::Int, Mode::Stored);
             outline.variables.push(variable);
         }
+        if kind == Kind::Written && self.random.chance(25) {
+            self.add_own_terminals(&mut outline);
+        }
         outline
+    }
+
+    /// An input, an output and a parameter that a graph declares for itself.
+    fn add_own_terminals(&mut self, outline: &mut Outline) {
+        let mut sensor = self.variable("input", "sensor", Type::Bool, Mode::Read);
+        sensor.initial = None;
+        let valve = self.boolean("output", "valve");
+        let mut few = Variable::plain("const", "FEW", Type::Int, Mode::Read);
+        few.initial = Some("LIMIT".to_owned());
+        let pause = self.variable("parameter", "pause", Type::Time, Mode::Read);
+        outline.variables.extend([sensor, valve, few, pause]);
     }
 
     fn expansion(&mut self, first: usize) -> Expansion {

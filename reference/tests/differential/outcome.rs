@@ -1,0 +1,81 @@
+//! What comes out of a comparison.
+
+use std::fmt;
+
+/// What a comparison has come upon.
+#[derive(Debug)]
+pub enum Failure {
+    /// The compiler refuses the program.
+    Refused(String),
+    /// The headers differ.
+    Header {
+        engine: Vec<String>,
+        reference: Vec<String>,
+    },
+    /// The rows differ, for the first time in this scan.
+    Row {
+        scan: usize,
+        differences: Vec<String>,
+    },
+    /// One of both has panicked.
+    Panic(String),
+}
+
+impl Failure {
+    /// Whether another failure is of the same kind, so that shrinking stays with one fault.
+    pub fn is_like(&self, other: &Failure) -> bool {
+        std::mem::discriminant(self) == std::mem::discriminant(other)
+    }
+}
+
+impl fmt::Display for Failure {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Failure::Refused(diagnostics) => write!(f, "the compiler refuses it:\n{diagnostics}"),
+            Failure::Header { engine, reference } => {
+                write!(f, "the headers differ:\n{engine:?}\n{reference:?}")
+            }
+            Failure::Row { scan, differences } => {
+                write!(
+                    f,
+                    "scan {scan} differs (engine, reference): {}",
+                    differences.join("; ")
+                )
+            }
+            Failure::Panic(message) => write!(f, "a panic: {message}"),
+        }
+    }
+}
+
+/// What was seen of the engine at work.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Tally {
+    pub programs: usize,
+    pub scans: usize,
+    pub transitions: usize,
+    /// Transitions that fired at least once.
+    pub fired: usize,
+    pub steps: usize,
+    /// Steps that were active after a scan at least once.
+    pub active: usize,
+    /// Scans times graphs under a forcing order.
+    pub forced: usize,
+    /// Scans that did not settle.
+    pub unstable: usize,
+    /// Programs in which a calculation went wrong.
+    pub with_faults: usize,
+}
+
+impl Tally {
+    pub fn add(&mut self, other: Tally) {
+        self.programs += other.programs;
+        self.scans += other.scans;
+        self.transitions += other.transitions;
+        self.fired += other.fired;
+        self.steps += other.steps;
+        self.active += other.active;
+        self.forced += other.forced;
+        self.unstable += other.unstable;
+        self.with_faults += other.with_faults;
+    }
+}
