@@ -71,18 +71,9 @@ fn value(random: &mut Random, boolean: bool) -> i32 {
     if boolean {
         return i32::from(random.chance(50));
     }
-    let usual = random.below(13) as i32 - 3;
-    *random.pick(&[
-        usual,
-        usual,
-        usual,
-        usual,
-        20,
-        30,
-        100,
-        40_000,
-        -40_000,
-        i32::MAX,
-        i32::MIN,
-    ])
+    match random.below(20) {
+        0..15 => random.below(13) as i32 - 3,
+        15..18 => *random.pick(&[20, 30, 100]),
+        _ => *random.pick(&[40_000, -40_000, i32::MAX, i32::MIN]),
+    }
 }

@@ -172,8 +172,8 @@ impl Generator<'_> {
                 // A self-loop.
                 2 => (one.clone(), one),
                 // AND divergence and convergence.
-                3..5 => (one, some(self.random, 3)),
-                5..7 => (some(self.random, 2), one),
+                3..6 => (one, some(self.random, 3)),
+                6 => (some(self.random, 2), one),
                 // An OR divergence.
                 _ => (one, vec![self.random.pick(nodes).clone()]),
             });
@@ -248,8 +248,8 @@ impl Generator<'_> {
                     Box::new(Expression::leaf(preset)),
                 ))
             }
-            70..80 => Some(Expression::binary(
-                "OR",
+            70..93 => Some(Expression::binary(
+                *self.random.pick(&["OR", "XOR"]),
                 input,
                 self.expressions(names).boolean(2),
             )),
