@@ -15,6 +15,7 @@
 //! time. What must not go wrong is decided in the parts that know no board, and tested on a host.
 
 #![cfg_attr(target_os = "none", no_std)]
+#![deny(unsafe_code)]
 #![cfg_attr(
     not(test),
     deny(

@@ -35,7 +35,7 @@ struct Arguments {
     fast: bool,
 
     /// Stop after so many seconds [default: with the demonstration, or never]
-    #[arg(long = "for", value_name = "SECONDS")]
+    #[arg(long = "for", value_name = "SECONDS", value_parser = clap::value_parser!(u64).range(..=1_000_000_000))]
     seconds: Option<u64>,
 
     /// Keep retained variables and parameters in this file [default: one that is gone afterwards]
