@@ -27,6 +27,16 @@ pub enum Named<'a> {
 impl<'a> Program<'a> {
     /// What `reference` means in a graph: it is looked up in the graph, then in the application.
     pub fn resolve(&self, graph: &'a str, reference: &'a Ref) -> Named<'a> {
+        let place = (graph, reference.span);
+        if let Some(known) = self.resolved.borrow().get(&place) {
+            return *known;
+        }
+        let named = self.look_up(graph, reference);
+        self.resolved.borrow_mut().insert(place, named);
+        named
+    }
+
+    fn look_up(&self, graph: &'a str, reference: &'a Ref) -> Named<'a> {
         let name = reference.name.text.as_str();
         let found = match &reference.graph {
             Some(system) if system.text == "System" => Some(Named::System(name)),

@@ -1,11 +1,14 @@
 //! A program as maps and lists of what stands in its text.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::cell::RefCell;
+use std::collections::{BTreeMap, BTreeSet, HashMap};
 
 use grafcet_compiler::ast::{
     BindingTarget, Constant, ConstantKind, Declaration, DeclarationKind, Expression,
     ExpressionKind, File, Graph as Tree, Item, ScanOption, Type, Unary,
 };
+
+use grafcet_compiler::source::Span;
 
 use crate::graph::Graph;
 use crate::momentary::Momentary;
@@ -33,6 +36,8 @@ pub struct Program<'a> {
     pub(crate) momentary: Vec<Momentary<'a>>,
     /// What has a column in a trace, besides the graphs.
     pub(crate) columns: Vec<Qualified<'a>>,
+    /// What names have turned out to mean, by graph and place: only to save time.
+    pub(crate) resolved: RefCell<HashMap<(&'a str, Span), Named<'a>>>,
 }
 
 /// A step that encloses a graph: the step and the set that its activation activates.
@@ -52,6 +57,7 @@ impl<'a> Program<'a> {
             from_the_top: Vec::new(),
             momentary: Vec::new(),
             columns: Vec::new(),
+            resolved: RefCell::default(),
         };
         let templates: BTreeMap<&str, &Tree> = libraries
             .iter()

@@ -17,6 +17,7 @@ use grafcet_reference::{Machine, Program, Qualified};
 use crate::outcome::{Failure, Tally};
 use crate::render::{LIBRARY, Text};
 use crate::stimulus::{Scan, full_name};
+use crate::tool;
 
 /// The syntax trees of the main file and the library.
 pub struct Trees {
@@ -63,7 +64,7 @@ pub fn compare(text: &Text, stimulus: &[Scan]) -> Result<Tally, Failure> {
     let run = || -> Result<Tally, Failure> {
         let application = application(text)?;
         let trees = Trees::of(text);
-        Comparison::run(&application.controller, &trees.program(), stimulus)
+        Comparison::run(&application, &trees.program(), stimulus)
     };
     std::panic::catch_unwind(run).unwrap_or_else(|panic| {
         let message = panic
@@ -86,10 +87,11 @@ struct Comparison<'a> {
 
 impl<'a> Comparison<'a> {
     fn run(
-        unit: &'a Unit,
+        application: &'a Application,
         reference: &'a Program<'a>,
         stimulus: &[Scan],
     ) -> Result<Tally, Failure> {
+        let unit = &application.controller;
         let named = |names: Vec<Qualified<'a>>| -> BTreeMap<String, Qualified<'a>> {
             let names = names.into_iter();
             names.map(|name| (full_name(name), name)).collect()
@@ -104,15 +106,21 @@ impl<'a> Comparison<'a> {
             reference,
         };
         let engine: Vec<String> = comparison.columns.header().map(str::to_owned).collect();
-        let reference = reference.header();
-        if engine == reference {
-            comparison.compare(stimulus)
-        } else {
-            Err(Failure::Header { engine, reference })
+        let header = reference.header();
+        if engine != header {
+            let reference = header;
+            return Err(Failure::Header { engine, reference });
         }
+        let mut rows = vec![header];
+        let tally = comparison.compare(stimulus, &mut rows)?;
+        if let Some(csv) = tool::csv(stimulus, reference.period_ms) {
+            tool::compare(application, &csv, &rows)?;
+        }
+        Ok(tally)
     }
 
-    fn compare(&self, stimulus: &[Scan]) -> Result<Tally, Failure> {
+    /// Runs both and keeps the rows of the trace.
+    fn compare(&self, stimulus: &[Scan], rows: &mut Vec<Vec<String>>) -> Result<Tally, Failure> {
         let tables = self.unit.tables.program();
         let mut vectors = Vectors::new(&tables);
         let mut engine = Engine::new(&tables, vectors.memory());
@@ -165,6 +173,7 @@ impl<'a> Comparison<'a> {
                 next_ms = time_ms + self.reference.period_ms;
             }
             seen.look(&engine);
+            rows.push(machine.row());
             self.same_rows(number, &engine, &machine)?;
         }
         Ok(seen.tally(stimulus.len(), &engine))

@@ -13,6 +13,7 @@ mod random;
 mod render;
 mod shrink;
 mod stimulus;
+mod tool;
 
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -24,8 +25,8 @@ use random::Random;
 use shrink::{Case, shrunk};
 
 /// How many programs are compared unless the environment says otherwise.
-const PROGRAMS: u64 = 500;
-const SCANS: usize = 120;
+const PROGRAMS: u64 = 2000;
+const SCANS: usize = 60;
 
 #[test]
 fn the_engine_and_the_reference_leave_the_same_traces() {
@@ -75,11 +76,11 @@ fn the_engine_and_the_reference_leave_the_same_traces() {
 /// Programs in which nothing happens would agree too.
 fn assert_worth_something(tally: Tally) {
     assert!(
-        tally.fired * 10 > tally.transitions * 7,
+        tally.fired * 3 > tally.transitions * 2,
         "most transitions fire: {tally:?}"
     );
     assert!(
-        tally.active * 10 > tally.steps * 8,
+        tally.active * 4 > tally.steps * 3,
         "most steps become active: {tally:?}"
     );
     assert!(tally.forced > tally.programs, "orders are given: {tally:?}");

@@ -17,6 +17,8 @@ pub enum Failure {
         scan: usize,
         differences: Vec<String>,
     },
+    /// The tool's trace differs.
+    Tool(String),
     /// One of both has panicked.
     Panic(String),
 }
@@ -42,6 +44,7 @@ impl fmt::Display for Failure {
                     differences.join("; ")
                 )
             }
+            Failure::Tool(what) => write!(f, "through the tool, in CSV: {what}"),
             Failure::Panic(message) => write!(f, "a panic: {message}"),
         }
     }
