@@ -170,10 +170,10 @@ impl<'a> Program<'a> {
             _ => declaration.address.as_ref(),
         };
         let word = address.is_some_and(|address| address.text.to_uppercase().contains('W'));
-        let physical = match ends {
-            Some((_, high)) if word && high > 32767 => (0, 65535),
-            _ if word => (-32768, 32767),
-            _ => (i32::MIN, i32::MAX),
+        let physical = if word {
+            (-32_768, 32_767)
+        } else {
+            (i32::MIN, i32::MAX)
         };
         ends.unwrap_or(physical)
     }

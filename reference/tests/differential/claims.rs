@@ -1,56 +1,54 @@
 //! Differences that have been found, as claims: the engine and the reference agree on them, and on what the law says.
 
-use grafcet_reference::Machine;
-
-use crate::compare::{Trees, compare};
+use crate::compare::{Trees, traced};
 use crate::render::Text;
 use crate::stimulus::{Scan, full_name};
 
 /// The cells of these columns, scan by scan, separated by points, from both alike; `inputs` holds for each scan the
 /// Boolean inputs that are True.
 fn agreed(text: &str, columns: &[&str], inputs: &[&str]) -> Vec<String> {
-    let text = Text {
-        main: text.to_owned(),
-        library: None,
-    };
-    let trees = Trees::of(&text);
-    let program = trees.program();
+    let trees = Trees::of(&alone(text));
+    let names: Vec<String> = trees
+        .program()
+        .inputs()
+        .into_iter()
+        .map(full_name)
+        .collect();
+    let value = |on: &str, name: &String| i32::from(on.split(' ').any(|on| on == name));
     let scan = |on: &&str| Scan {
-        given: program
-            .inputs()
-            .into_iter()
-            .map(|name| {
-                (
-                    full_name(name),
-                    i32::from(on.split(' ').any(|on| on == name.1)),
-                )
-            })
+        given: names
+            .iter()
+            .map(|name| (name.clone(), value(on, name)))
             .collect(),
         periods: 1,
         ..Scan::default()
     };
     let stimulus: Vec<Scan> = inputs.iter().map(scan).collect();
-    if let Err(failure) = compare(&text, &stimulus) {
-        panic!("{failure}");
+    agreed_on(text, columns, &stimulus)
+}
+
+/// The same for any stimulus.
+fn agreed_on(text: &str, columns: &[&str], stimulus: &[Scan]) -> Vec<String> {
+    let rows = match traced(&alone(text), stimulus) {
+        Ok((_, rows)) => rows,
+        Err(failure) => panic!("{failure}"),
+    };
+    let mut rows = rows.into_iter();
+    let header = rows.next().unwrap_or_default();
+    let places: Vec<usize> = (0..header.len())
+        .filter(|place| columns.contains(&header[*place].as_str()))
+        .collect();
+    let cells = |row: Vec<String>| places.iter().map(|place| row[*place].clone()).collect();
+    rows.map(|row| -> Vec<String> { cells(row) })
+        .map(|cells| cells.join("."))
+        .collect()
+}
+
+fn alone(text: &str) -> Text {
+    Text {
+        main: text.to_owned(),
+        library: None,
     }
-    let header = program.header();
-    let mut machine = Machine::new(&program);
-    let mut rows = Vec::new();
-    for (number, scan) in (0..).zip(&stimulus) {
-        for (name, (_, value)) in program.inputs().into_iter().zip(&scan.given) {
-            machine.set(name, *value);
-        }
-        machine.scan(number * program.period_ms);
-        let row = machine.row();
-        let cells: Vec<&str> = header
-            .iter()
-            .zip(&row)
-            .filter(|(name, _)| columns.contains(&name.as_str()))
-            .map(|(_, cell)| cell.as_str())
-            .collect();
-        rows.push(cells.join("."));
-    }
-    rows
 }
 
 #[test]
@@ -74,6 +72,26 @@ fn each_edge_that_is_written_counts_the_faults_of_its_own_operand() {
         graph Saw1 = Saw { run = TRUE }
         graph Saw2 = Saw { run = TRUE }";
     assert_eq!(agreed(text, &["faults"], &["", ""]), ["4", "8"]);
+}
+
+#[test]
+fn an_int_preset_counts_seconds_exactly_whatever_its_size() {
+    let text = "
+        input a
+        output M
+        var seconds : int = 3000000
+        graph Main {
+            always { M IF T/a/seconds }
+            initial step 1
+        }";
+    let on = |periods| Scan {
+        given: vec![("a".to_owned(), 1)],
+        periods,
+        ..Scan::default()
+    };
+    // 2 999 999.99 s and 3 000 000 s behind the rise.
+    let rows = agreed_on(text, &["M"], &[on(1), on(299_999_999), on(1)]);
+    assert_eq!(rows, ["0", "0", "1"]);
 }
 
 #[test]

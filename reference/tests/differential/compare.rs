@@ -61,11 +61,7 @@ pub fn application(text: &Text) -> Result<Application, Failure> {
 
 /// Runs a program in both and compares every row.
 pub fn compare(text: &Text, stimulus: &[Scan]) -> Result<Tally, Failure> {
-    let run = || -> Result<Tally, Failure> {
-        let application = application(text)?;
-        let trees = Trees::of(text);
-        Comparison::run(&application, &trees.program(), stimulus)
-    };
+    let run = || Ok(traced(text, stimulus)?.0);
     std::panic::catch_unwind(run).unwrap_or_else(|panic| {
         let message = panic
             .downcast_ref::<String>()
@@ -73,6 +69,13 @@ pub fn compare(text: &Text, stimulus: &[Scan]) -> Result<Tally, Failure> {
             .or_else(|| panic.downcast_ref::<&str>().map(|text| (*text).to_owned()));
         Err(Failure::Panic(message.unwrap_or_default()))
     })
+}
+
+/// The same, with the rows of the trace on which they agree, the header first; panics are not caught.
+pub fn traced(text: &Text, stimulus: &[Scan]) -> Result<(Tally, Vec<Vec<String>>), Failure> {
+    let application = application(text)?;
+    let trees = Trees::of(text);
+    Comparison::run(&application, &trees.program(), stimulus)
 }
 
 /// One program, twice.
@@ -90,7 +93,7 @@ impl<'a> Comparison<'a> {
         application: &'a Application,
         reference: &'a Program<'a>,
         stimulus: &[Scan],
-    ) -> Result<Tally, Failure> {
+    ) -> Result<(Tally, Vec<Vec<String>>), Failure> {
         let unit = &application.controller;
         let named = |names: Vec<Qualified<'a>>| -> BTreeMap<String, Qualified<'a>> {
             let names = names.into_iter();
@@ -116,7 +119,7 @@ impl<'a> Comparison<'a> {
         if let Some(csv) = tool::csv(stimulus, reference.period_ms) {
             tool::compare(application, &csv, &rows)?;
         }
-        Ok(tally)
+        Ok((tally, rows))
     }
 
     /// Runs both and keeps the rows of the trace.

@@ -55,7 +55,7 @@ pub fn stimulus(random: &mut Random, program: &Program<'_>, scans: usize) -> Vec
         }
         if late && random.chance(10) {
             // An overrun, or once in a while a very long time.
-            scan.periods = *random.pick(&[2, 3, 7, 2, 3, 7, 1 << 31, 1 << 33]);
+            scan.periods = *random.pick(&[2, 3, 7, 2, 3, 7, 250_000_000, 1 << 31, 1 << 33]);
             overruns += 1;
             scan.overruns = Some(overruns);
         }
@@ -74,6 +74,6 @@ fn value(random: &mut Random, boolean: bool) -> i32 {
     match random.below(20) {
         0..15 => random.below(13) as i32 - 3,
         15..18 => *random.pick(&[20, 30, 100]),
-        _ => *random.pick(&[40_000, -40_000, i32::MAX, i32::MIN]),
+        _ => *random.pick(&[40_000, -40_000, 3_000_000, i32::MAX, i32::MIN]),
     }
 }

@@ -238,12 +238,10 @@ impl Generator<'_> {
             .iter()
             .filter(|v| rank_0(v) && !own.variables.iter().any(|mine| mine.name == v.name));
         let globals = globals.map(|v| target(v.name.clone(), v));
-        let neighbours = self
-            .outlines
-            .iter()
-            .filter(|o| o.kind == Kind::Written && o.name != own.name);
-        let neighbours = neighbours.flat_map(|o| {
-            let theirs = o.variables.iter().filter(|v| rank_0(v));
+        let others = self.outlines.iter();
+        let others = others.filter(|o| o.kind != Kind::Template && o.name != own.name);
+        let neighbours = others.flat_map(|o| {
+            let theirs = o.variables.iter().filter(|v| v.kind == "var" && rank_0(v));
             theirs
                 .take(1)
                 .map(|v| target(format!("{}:{}", o.name, v.name), v))

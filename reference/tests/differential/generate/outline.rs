@@ -28,6 +28,16 @@ pub enum Mode {
     Faults,
 }
 
+impl Mode {
+    /// Momentary, but nobody knows which.
+    fn of_any_rank(self) -> Self {
+        match self {
+            Mode::Momentary(_) => Mode::Momentary(usize::MAX - 1),
+            other => other,
+        }
+    }
+}
+
 /// A graph's names.
 #[derive(Clone, Debug)]
 pub struct Outline {
@@ -157,9 +167,11 @@ impl Generator<'_> {
     }
 
     fn outline_of(&mut self, name: &str, kind: Kind) -> Outline {
-        let mut nodes: Vec<String> = (1..=self.random.between(2, 5))
+        // Once in a while more steps than a machine word has bits.
+        let most = if self.random.chance(3) { 40 } else { 5 };
+        let mut nodes: Vec<String> = (1..=self.random.between(2, most))
             .map(|id| {
-                if self.random.chance(10) {
+                if id < 10 && self.random.chance(10) {
                     format!("E{id}")
                 } else {
                     id.to_string()
@@ -169,7 +181,7 @@ impl Generator<'_> {
         let mut steps = nodes.clone();
         let mut macros = Vec::new();
         if self.features.macros && self.random.chance(60) {
-            let expansion = self.expansion(10);
+            let expansion = self.expansion(50);
             steps.extend(expansion.steps());
             nodes.push(expansion.id.clone());
             macros.push(expansion);
@@ -217,7 +229,7 @@ impl Generator<'_> {
     }
 
     fn expansion(&mut self, first: usize) -> Expansion {
-        let nested = first < 30 && self.random.chance(35);
+        let nested = first < 70 && self.random.chance(35);
         Expansion {
             id: format!("M{first}"),
             entry: format!("E{first}"),
@@ -267,13 +279,24 @@ impl Generator<'_> {
                 continue;
             }
             for (place, variable) in outline.variables.iter().enumerate() {
-                let bound = matches!(outline.kind, Kind::Instance(_))
-                    && matches!(variable.kind, "input" | "output");
+                let qualified = format!("{}:{}", outline.name, variable.name);
+                let terminal = matches!(variable.kind, "input" | "output");
                 if here && place % 2 == 0 {
                     names.add(variable.name.clone(), variable);
-                } else if !bound {
-                    names.add(format!("{}:{}", outline.name, variable.name), variable);
+                } else if terminal && matches!(outline.kind, Kind::Instance(_)) {
+                    // What an instance binds stands for something else, which must not be itself.
+                    if graph.is_some() {
+                        let mut bound = variable.clone();
+                        bound.mode = bound.mode.of_any_rank();
+                        names.add(qualified, &bound);
+                    }
+                } else {
+                    names.add(qualified, variable);
                 }
+            }
+            if here && outline.kind == Kind::Template {
+                // It may be bound to a step bit.
+                names.bits.push("run".to_owned());
             }
             let bits = outline.steps.iter().cloned();
             for id in bits.chain(outline.macros.iter().flat_map(Expansion::ids)) {
