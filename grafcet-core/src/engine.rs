@@ -121,6 +121,7 @@ impl<'p, 'm> Engine<'p, 'm> {
         self.run_changes();
         self.run_lasting();
         self.run_momentary();
+        self.memory.forget_start();
     }
 
     /// Scan k > 0, at its scheduled release time in ms since scan 0. Times must not descend.

@@ -3,7 +3,7 @@
 use crate::bits::set_bits_of;
 use crate::engine::Engine;
 use crate::memory::{Given, Standing};
-use crate::program::{Enclosing, Forced, Graph, Run};
+use crate::program::{Bit, Enclosing, Forced, Graph, Run};
 use crate::watch::Pass;
 
 /// Where a graph takes its situation from.
@@ -29,17 +29,23 @@ impl Engine<'_, '_> {
             let enclosings = graph.enclosings.of(program.enclosings);
             if enclosings.is_empty() {
                 self.take(graph, graph.initial);
-            } else if let Some(situation) = self.at_start(enclosings) {
+            } else if let Some(situation) = at_start(enclosings, |step| self.memory.bit(step)) {
                 self.take(graph, situation);
             }
         }
         self.refresh_all_macros();
+        self.memory.mark_start(&program.layout);
     }
 
-    /// What an active initial step gives to the graph that it encloses; of several the last in the source.
-    fn at_start(&self, enclosings: &[Enclosing]) -> Option<u16> {
-        let active = |by: &&Enclosing| by.at_start.is_some() && self.memory.bit(by.step);
-        enclosings.iter().rfind(active).and_then(|by| by.at_start)
+    /// Whether a graph keeps in scan 0 what it has taken: a step that gave it was active as the scan began, and is.
+    fn keeps_start(&self, enclosings: &[Enclosing]) -> bool {
+        let layout = &self.program.layout;
+        let initially = |step| self.memory.was_initially_active(layout, step);
+        at_start(enclosings, initially).is_some_and(|taken| {
+            let active = |step| self.memory.bit(step) && initially(step);
+            let mut steps = enclosings.iter();
+            steps.any(|by| by.at_start == Some(taken) && active(by.step))
+        })
     }
 
     /// Phase 4.
@@ -101,7 +107,7 @@ impl Engine<'_, '_> {
                 Forced::Current => Decision::Before,
             };
         }
-        let keeps_start = pass == Pass::Start && self.at_start(enclosings).is_some();
+        let keeps_start = pass == Pass::Start && self.keeps_start(enclosings);
         if !keeps_start && let Some(by) = enclosings.iter().rfind(|by| self.is_activated(by)) {
             return Decision::Set(by.situation);
         }
@@ -225,4 +231,10 @@ impl Engine<'_, '_> {
             word & (1 << (place % 32)) != 0
         })
     }
+}
+
+/// What an active initial step gives to the graph that it encloses; of several the last in the source.
+fn at_start(enclosings: &[Enclosing], active: impl Fn(Bit) -> bool) -> Option<u16> {
+    let gives = |by: &&Enclosing| by.at_start.is_some() && active(by.step);
+    enclosings.iter().rfind(gives).and_then(|by| by.at_start)
 }

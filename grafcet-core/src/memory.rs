@@ -200,9 +200,24 @@ impl Memory<'_> {
 
     /// A step or macro step bit as it stood before this scan (round).
     pub(crate) fn was_active(&self, layout: &Layout, step: Bit) -> bool {
-        remembered(layout, step.word())
-            .and_then(|word| self.before.get(word))
-            .is_some_and(|word| word & step.mask() != 0)
+        stood(self.before, layout, step)
+    }
+
+    /// A step bit as scan 0 began, while scan 0 runs.
+    pub(crate) fn was_initially_active(&self, layout: &Layout, step: Bit) -> bool {
+        stood(self.before_scan, layout, step)
+    }
+
+    /// Remembers the situations as those in which scan 0 begins; the situation before it is the empty one.
+    pub(crate) fn mark_start(&mut self, layout: &Layout) {
+        self.remember(layout);
+        self.mark_scan();
+        self.before.fill(0);
+    }
+
+    /// Scan 0 is over: from now on the situation before it is the empty one for all.
+    pub(crate) fn forget_start(&mut self) {
+        self.before_scan.fill(0);
     }
 
     /// Remembers that a scan begins here; the situations have just been remembered.
@@ -222,6 +237,13 @@ impl Memory<'_> {
             *before = *now;
         }
     }
+}
+
+/// A step or macro step bit among remembered situations.
+fn stood(situations: &[u32], layout: &Layout, step: Bit) -> bool {
+    remembered(layout, step.word())
+        .and_then(|word| situations.get(word))
+        .is_some_and(|word| word & step.mask() != 0)
 }
 
 /// The word of [`Memory::before`] that remembers a word of the image.

@@ -92,9 +92,11 @@ impl<'a> Machine<'a> {
                     self.kept.insert(graph.name, steps);
                     own
                 }
-                Some((step, set)) => {
-                    self.kept.insert(graph.name, BTreeSet::from([*step]));
-                    set.clone()
+                Some((_, taken)) => {
+                    let givers = active_initial.iter().filter(|(_, set)| set == taken);
+                    let steps = givers.map(|(step, _)| *step).collect();
+                    self.kept.insert(graph.name, steps);
+                    taken.clone()
                 }
             };
             self.situation.insert(graph.name, taken);

@@ -114,3 +114,37 @@ fn freezing_in_scan_0_keeps_what_the_graph_has_then_and_activates_nothing() {
     let rows = agreed(text, &["Middle", "Low", "Late"], &["", ""]);
     assert_eq!(rows, ["6.5.", "6.5."]);
 }
+
+#[test]
+fn an_enclosed_graph_keeps_nothing_in_scan_0_from_a_step_that_was_not_active_as_it_began() {
+    let text = "
+        graph Top {
+            always { F/Top:{3} }
+            step 3 encloses Middle{1}
+        }
+        graph Middle {
+            initial step 1 encloses Low{2}
+        }
+        graph Low {
+            step 2
+            initial step 3
+        }";
+    let rows = agreed(text, &["Middle", "Low"], &["", ""]);
+    assert_eq!(rows, ["1.2", "1.2"]);
+}
+
+#[test]
+fn an_enclosed_graph_keeps_its_start_in_scan_0_only_from_the_step_that_gave_it() {
+    let text = "
+        graph Top {
+            always { F/Other:{2, 3} }
+        }
+        graph Other {
+            initial step 1 encloses Low{5}
+            step 2
+            initial step 3 encloses Low{6}
+            initial step 4 encloses Low{7}
+        }
+        graph Low { step 5; step 6; step 7 }";
+    assert_eq!(agreed(text, &["Other", "Low"], &[""]), ["2 3.6"]);
+}
