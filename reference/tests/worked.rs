@@ -18,15 +18,9 @@ fn trace(text: &str, columns: &[&str], inputs: &[&str]) -> Vec<String> {
     let file = parsed(text);
     let program = Program::new(&file, &[]);
     let header = program.header();
-    let places: Vec<usize> = columns
-        .iter()
-        .map(|column| {
-            header
-                .iter()
-                .position(|name| name == column)
-                .expect("a column")
-        })
-        .collect();
+    let place = |column: &&str| header.iter().position(|name| name == column);
+    let places: Vec<usize> = columns.iter().filter_map(place).collect();
+    assert_eq!(places.len(), columns.len(), "{header:?}");
     let mut machine = Machine::new(&program);
     let scans = inputs.iter().zip(0..);
     scans

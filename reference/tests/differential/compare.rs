@@ -135,7 +135,6 @@ impl<'a> Comparison<'a> {
             if let Some(recovered) = scan.power_cycle {
                 let kept = self.retained(&machine);
                 machine = Machine::new(self.reference);
-                drop(engine);
                 vectors = Vectors::new(&tables);
                 engine = Engine::new(&tables, vectors.memory());
                 for (name, value) in kept {

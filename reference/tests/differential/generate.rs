@@ -105,12 +105,12 @@ impl Generator<'_> {
         self.globals
             .push(Variable::plain("output", "faults", Type::Int, Mode::Faults));
         for name in ["A", "B", "température", "LAMP"] {
-            let kind = *self.random.pick(&["output", "output", "var", "retain var"]);
+            let kind = self.random.word(&["output", "output", "var", "retain var"]);
             let variable = self.boolean(kind, name);
             self.globals.push(variable);
         }
         for name in ["n", "m"] {
-            let kind = *self.random.pick(&["output", "var", "retain var"]);
+            let kind = self.random.word(&["output", "var", "retain var"]);
             let mut variable = self.variable(kind, name, Type::Int, Mode::Stored);
             if self.random.chance(30) {
                 let letter = if kind == "output" { 'Q' } else { 'M' };
@@ -127,7 +127,7 @@ impl Generator<'_> {
         let mut lap = Variable::plain("const", "LAP", Type::Time, Mode::Read);
         lap.initial = Some("20ms".to_owned());
         let mut few = Variable::plain("const", "FEW", Type::Int, Mode::Read);
-        few.initial = Some(self.random.pick(&["3", "-2", "16#1F"]).to_string());
+        few.initial = Some(self.random.word(&["3", "-2", "16#1F"]).to_string());
         let mut most = Variable::plain("const", "LIMIT", Type::Int, Mode::Read);
         most.initial = Some("-FEW".to_owned());
         let mut on = Variable::plain("const", "ON", Type::Bool, Mode::Read);

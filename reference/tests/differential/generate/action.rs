@@ -129,13 +129,13 @@ impl Generator<'_> {
         let value = match (target.ty, target.range) {
             (Type::Bool, _) => self.expressions(names).boolean(depth),
             (Type::Int, _) if self.random.chance(40) => Expression::binary(
-                *self.random.pick(&["+", "-"]),
+                self.random.word(&["+", "-"]),
                 Expression::leaf(&target.name),
                 Expression::leaf("1"),
             ),
             // Constants have to be in the range of what they are stored in.
             (Type::Int, Some((low, _))) => {
-                let operator = *self.random.pick(&["+", "-", "*", "MOD", "/"]);
+                let operator = self.random.word(&["+", "-", "*", "MOD", "/"]);
                 let value = self.expressions(names).integer(depth);
                 match self.random.below(4) {
                     0 => Expression::leaf(if low < 0 {
@@ -150,7 +150,7 @@ impl Generator<'_> {
             (Type::Time, Some(_)) => {
                 let value = self.expressions(names).time(depth);
                 Expression::binary(
-                    *self.random.pick(&["+", "-"]),
+                    self.random.word(&["+", "-"]),
                     Expression::leaf(&target.name),
                     value,
                 )

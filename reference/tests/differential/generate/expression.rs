@@ -53,12 +53,12 @@ impl Expressions<'_> {
             0..15 => self.boolean_leaf(),
             15..27 => {
                 let operand = self.boolean(depth - 1);
-                Expression::unary(*self.random.pick(&["NOT", "!", "¬"]), operand)
+                Expression::unary(self.random.word(&["NOT", "!", "¬"]), operand)
             }
             27..52 => {
-                let operator = *self
+                let operator = self
                     .random
-                    .pick(&["AND", "&", "·", "OR", "|", "XOR", "=", "<>"]);
+                    .word(&["AND", "&", "·", "OR", "|", "XOR", "=", "<>"]);
                 let left = self.boolean(depth - 1);
                 let right = self.boolean(depth - 1);
                 Expression::binary(operator, left, right)
@@ -73,7 +73,7 @@ impl Expressions<'_> {
 
     /// An edge.
     pub fn edge(&mut self, depth: usize) -> Expression {
-        let operator = *self.random.pick(&["↑", "↓", "RE", "FE", "↑"]);
+        let operator = self.random.word(&["↑", "↓", "RE", "FE", "↑"]);
         let operand = self.watched(|inside| inside.boolean(depth));
         Expression::unary(operator, operand)
     }
@@ -86,7 +86,7 @@ impl Expressions<'_> {
         if self.random.chance(12) {
             return Expression::unary("-", self.integer(depth - 1));
         }
-        let operator = *self.random.pick(&["+", "-", "*", "/", "MOD"]);
+        let operator = self.random.word(&["+", "-", "*", "/", "MOD"]);
         let left = self.integer(depth - 1);
         let right = self.integer(depth - 1);
         Expression::binary(operator, left, right)
@@ -109,8 +109,8 @@ impl Expressions<'_> {
     /// A name or a short preset; a fast one, so that transitions fire.
     fn preset(&mut self) -> Expression {
         match self.random.below(10) {
-            0..5 => Expression::leaf(*self.random.pick(&["0ms", "10ms", "20ms", "25ms", "40ms"])),
-            5 => Expression::leaf(*self.random.pick(&["0", "1"])),
+            0..5 => Expression::leaf(self.random.word(&["0ms", "10ms", "20ms", "25ms", "40ms"])),
+            5 => Expression::leaf(self.random.word(&["0", "1"])),
             6 if !self.names.ints.is_empty() => {
                 Expression::leaf(self.random.pick(&self.names.ints))
             }
@@ -118,7 +118,7 @@ impl Expressions<'_> {
                 Expression::leaf(self.random.pick(&self.names.times))
             }
             8 => Expression::binary("+", self.time_leaf(), self.time_leaf()),
-            _ => Expression::leaf(*self.random.pick(&DURATIONS)),
+            _ => Expression::leaf(self.random.word(&DURATIONS)),
         }
     }
 
@@ -150,9 +150,9 @@ impl Expressions<'_> {
     }
 
     fn comparison(&mut self, depth: usize) -> Expression {
-        let operator = *self
+        let operator = self
             .random
-            .pick(&["=", "<>", "≠", "<", "<=", "≤", ">", ">=", "≥"]);
+            .word(&["=", "<>", "≠", "<", "<=", "≤", ">", ">=", "≥"]);
         if self.random.chance(75) {
             let left = self.integer(depth);
             let right = self.integer(depth);
@@ -185,7 +185,7 @@ impl Expressions<'_> {
             .map(|(name, _)| name)
             .collect();
         match self.random.below(20) {
-            0 => Expression::leaf(*self.random.pick(&["TRUE", "FALSE", "True"])),
+            0 => Expression::leaf(self.random.word(&["TRUE", "FALSE", "True"])),
             1..7 if !self.names.bits.is_empty() => {
                 Expression::leaf(self.random.pick(&self.names.bits))
             }
@@ -196,7 +196,7 @@ impl Expressions<'_> {
 
     fn integer_leaf(&mut self) -> Expression {
         if self.names.ints.is_empty() || self.random.chance(35) {
-            Expression::leaf(*self.random.pick(&INTEGERS))
+            Expression::leaf(self.random.word(&INTEGERS))
         } else {
             Expression::leaf(self.random.pick(&self.names.ints))
         }
@@ -204,7 +204,7 @@ impl Expressions<'_> {
 
     fn time_leaf(&mut self) -> Expression {
         if self.names.times.is_empty() || self.random.chance(60) {
-            Expression::leaf(*self.random.pick(&DURATIONS))
+            Expression::leaf(self.random.word(&DURATIONS))
         } else {
             Expression::leaf(self.random.pick(&self.names.times))
         }

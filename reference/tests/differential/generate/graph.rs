@@ -195,7 +195,7 @@ impl Generator<'_> {
             true,
             Situation::Steps(Vec::new()),
         );
-        let input = Expression::leaf(*self.random.pick(&["a", "b", "c", "d"]));
+        let input = Expression::leaf(self.random.word(&["a", "b", "c", "d"]));
         let element = self.transition(index, number, Vec::new(), vec![step.to_owned()], names);
         match element {
             Element::Transition(transition) => Element::Transition(Transition {
@@ -233,23 +233,23 @@ impl Generator<'_> {
     /// A trigger that has a good chance to become True.
     fn trigger(&mut self, entrance: &[String], names: &Names) -> Option<Expression> {
         let inputs = ["a", "b", "c", "d"];
-        let input = Expression::leaf(*self.random.pick(&inputs));
+        let input = Expression::leaf(self.random.word(&inputs));
         match self.random.below(100) {
             0..10 => None,
-            10..12 => Some(Expression::leaf(*self.random.pick(&["True", "TRUE"]))),
+            10..12 => Some(Expression::leaf(self.random.word(&["True", "TRUE"]))),
             12..36 => Some(input),
             36..46 => Some(Expression::unary("↑", input)),
             46..54 => Some(Expression::unary("NOT", input)),
             54..70 if !entrance.is_empty() => {
                 let enable = Expression::leaf(format!("X{}", self.random.pick(entrance)));
-                let preset = *self.random.pick(&["10ms", "20ms", "30ms", "LAP", "delay"]);
+                let preset = self.random.word(&["10ms", "20ms", "30ms", "LAP", "delay"]);
                 Some(Expression::Timer(
                     Box::new(enable),
                     Box::new(Expression::leaf(preset)),
                 ))
             }
             70..93 => Some(Expression::binary(
-                *self.random.pick(&["OR", "XOR"]),
+                self.random.word(&["OR", "XOR"]),
                 input,
                 self.expressions(names).boolean(2),
             )),

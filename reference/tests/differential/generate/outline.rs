@@ -198,7 +198,7 @@ impl Generator<'_> {
         };
         if self.random.chance(60) {
             // A name of the application too: the graph's own hides it.
-            let own = self.random.pick(&["own", "LAMP"]);
+            let own = self.random.word(&["own", "LAMP"]);
             let variable = if kind == Kind::Template {
                 self.variable("var", own, Type::Bool, Mode::Stored)
             } else {
@@ -207,7 +207,7 @@ impl Generator<'_> {
             outline.variables.push(variable);
         }
         if self.random.chance(60) {
-            let own = self.random.pick(&["count", "n"]);
+            let own = self.random.word(&["count", "n"]);
             let variable = self.variable("var", own, Type::Int, Mode::Stored);
             outline.variables.push(variable);
         }
