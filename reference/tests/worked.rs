@@ -255,7 +255,7 @@ fn an_instance_is_its_template_with_the_bindings_in_place() {
         "2.1.1.10.20",
         "1.2.0.10.20",
         "1.2.0.10.20",
-        "2.1.1.10.20",
+        "1.1.0.10.20",
     ];
     assert_eq!(rows, expected);
 }
