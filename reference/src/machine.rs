@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use grafcet_compiler::ast::{DeclarationKind, Event, Expression, StatementKind, Trigger};
+use grafcet_compiler::ast::{DeclarationKind, Event, Expression, StatementKind, Trigger, Type};
 
 use crate::action::{Due, Group};
 use crate::expression::{Place, Scope};
@@ -108,10 +108,19 @@ impl<'a> Machine<'a> {
         self.overruns = overruns;
     }
 
-    /// Gives a retained variable its stored value, before scan 0.
-    pub fn restore(&mut self, name: Qualified<'a>, number: i32) {
-        self.values
-            .insert(name, Value::of(self.program.ty(name), number));
+    /// Gives a retained variable its stored value, before scan 0. One that is not valid is not taken: the declared
+    /// value holds.
+    pub fn restore(&mut self, name: Qualified<'a>, number: i32) -> bool {
+        let ty = self.program.ty(name);
+        let (low, high) = match ty {
+            Type::Bool => (0, 1),
+            Type::Int | Type::Time => self.program.range(name),
+        };
+        let valid = (low..=high).contains(&number);
+        if valid {
+            self.values.insert(name, Value::of(ty, number));
+        }
+        valid
     }
 
     /// The time stamp of the latest scan in ms since scan 0.

@@ -16,7 +16,7 @@ use grafcet_reference::{Machine, Program, Qualified};
 
 use crate::outcome::{Failure, Tally};
 use crate::render::{LIBRARY, Text};
-use crate::stimulus::{Scan, full_name};
+use crate::stimulus::{PowerCycle, Scan, full_name};
 use crate::tool;
 
 /// The syntax trees of the main file and the library.
@@ -132,17 +132,20 @@ impl<'a> Comparison<'a> {
         let mut seen = Seen::default();
         let mut next_ms = 0;
         for (number, scan) in stimulus.iter().enumerate() {
-            if let Some(recovered) = scan.power_cycle {
-                let kept = self.retained(&machine);
+            if let Some(cycle) = &scan.power_cycle {
+                let kept = self.retained(&machine, cycle);
                 machine = Machine::new(self.reference);
                 vectors = Vectors::new(&tables);
                 engine = Engine::new(&tables, vectors.memory());
                 for (name, value) in kept {
-                    machine.restore(name, value);
-                    engine.restore(self.slots[full_name(name).as_str()], value);
+                    let full = full_name(name);
+                    let taken = engine.restore(self.slots[full.as_str()], value);
+                    if machine.restore(name, value) != taken {
+                        return Err(Failure::Restored(full));
+                    }
                 }
-                machine.set_recovered(recovered);
-                engine.set_recovered(recovered);
+                machine.set_recovered(cycle.recovered);
+                engine.set_recovered(cycle.recovered);
                 next_ms = 0;
             }
             if let Some(overruns) = scan.overruns {
@@ -181,12 +184,18 @@ impl<'a> Comparison<'a> {
         Ok(seen.tally(stimulus.len(), &engine))
     }
 
-    /// What survives a loss of power.
-    fn retained(&self, machine: &Machine<'a>) -> Vec<(Qualified<'a>, i32)> {
+    /// What is stored when power comes back.
+    fn retained(&self, machine: &Machine<'a>, cycle: &PowerCycle) -> Vec<(Qualified<'a>, i32)> {
         let names = self.reference.retained().into_iter();
-        names
-            .filter_map(|name| Some((name, machine.value(name)?.number())))
-            .collect()
+        let stored = names.filter_map(|name| {
+            let strange = cycle
+                .strange
+                .iter()
+                .find(|(strange, _)| *strange == full_name(name));
+            let value = machine.value(name)?.number();
+            Some((name, strange.map_or(value, |(_, value)| *value)))
+        });
+        stored.collect()
     }
 
     fn same_rows(

@@ -17,6 +17,8 @@ pub enum Failure {
         scan: usize,
         differences: Vec<String>,
     },
+    /// One of both takes a stored value that the other refuses.
+    Restored(String),
     /// The tool's trace differs.
     Tool(String),
     /// One of both has panicked.
@@ -43,6 +45,9 @@ impl fmt::Display for Failure {
                     "scan {scan} differs (engine, reference): {}",
                     differences.join("; ")
                 )
+            }
+            Failure::Restored(name) => {
+                write!(f, "the stored value of `{name}` is taken by one only")
             }
             Failure::Tool(what) => write!(f, "through the tool, in CSV: {what}"),
             Failure::Panic(message) => write!(f, "a panic: {message}"),

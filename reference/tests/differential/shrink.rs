@@ -104,7 +104,9 @@ impl Cut {
 
     fn scan(&mut self, scan: &mut Scan) {
         self.list(&mut scan.given, |_, _| {});
-        self.option(&mut scan.power_cycle, |_, _| {});
+        self.option(&mut scan.power_cycle, |cut, cycle| {
+            cut.list(&mut cycle.strange, |_, _| {});
+        });
         self.option(&mut scan.overruns, |_, _| {});
         if scan.periods > 1 && self.here() {
             scan.periods = 1;

@@ -11,12 +11,21 @@ use crate::random::Random;
 pub struct Scan {
     /// New values of inputs and parameters, by their names in a trace.
     pub given: Vec<(String, i32)>,
-    /// Power goes and comes back first; whether the start counts as a recovery.
-    pub power_cycle: Option<bool>,
+    /// Power goes and comes back first.
+    pub power_cycle: Option<PowerCycle>,
     /// `System:overruns` from now on.
     pub overruns: Option<i32>,
     /// How many periods after the scan before this one comes.
     pub periods: u64,
+}
+
+/// What a loss of power leaves.
+#[derive(Clone, Debug, Default)]
+pub struct PowerCycle {
+    /// The start counts as a recovery.
+    pub recovered: bool,
+    /// Stored values that are no longer those of the program, as after a change of its declarations.
+    pub strange: Vec<(String, i32)>,
 }
 
 /// A name as a trace has it.
@@ -60,11 +69,23 @@ pub fn stimulus(random: &mut Random, program: &Program<'_>, scans: usize) -> Vec
             scan.overruns = Some(overruns);
         }
         if random.chance(power_cycles) {
-            scan.power_cycle = Some(random.chance(50));
+            scan.power_cycle = Some(power_cycle(random, &program.retained()));
         }
         stimulus.push(scan);
     }
     stimulus
+}
+
+fn power_cycle(random: &mut Random, retained: &[Qualified<'_>]) -> PowerCycle {
+    let recovered = random.chance(50);
+    let strange = retained.iter().filter_map(|name| {
+        let number = *random.pick(&[-3, 0, 1, 2, 30, 70_000, i32::MIN]);
+        random.chance(10).then(|| (full_name(*name), number))
+    });
+    PowerCycle {
+        recovered,
+        strange: strange.collect(),
+    }
 }
 
 fn value(random: &mut Random, boolean: bool) -> i32 {

@@ -11,6 +11,8 @@ struct Target {
     ty: Type,
     mode: Mode,
     range: Option<(i32, i32)>,
+    /// Constants may be stored in it.
+    literals: bool,
 }
 
 impl Generator<'_> {
@@ -138,7 +140,7 @@ impl Generator<'_> {
                 let operator = self.random.word(&["+", "-", "*", "MOD", "/"]);
                 let value = self.expressions(names).integer(depth);
                 match self.random.below(4) {
-                    0 => Expression::leaf(if low < 0 {
+                    0 if target.literals => Expression::leaf(if low < 0 {
                         format!("({low})")
                     } else {
                         low.to_string()
@@ -220,14 +222,17 @@ impl Generator<'_> {
     /// What statements of a graph may write: what is its own, what is the application's, and what is a neighbour's.
     fn targets(&self, graph: usize, suits: impl Fn(Mode) -> bool) -> Vec<Target> {
         let own = &self.outlines[graph];
-        let target = |name: String, variable: &Variable| Target {
-            name,
-            ty: variable.ty,
-            mode: variable.mode,
-            // A word holds 16 bits.
-            range: variable
-                .range
-                .or(variable.address.is_some().then_some((-32_768, 32_767))),
+        let target = |name: String, variable: &Variable| {
+            // A word holds 16 bits; what an instance binds to an output of its template holds nobody knows what.
+            let unknown = own.kind == Kind::Template && variable.kind == "output";
+            let narrow = unknown || variable.address.is_some();
+            Target {
+                name,
+                ty: variable.ty,
+                mode: variable.mode,
+                range: variable.range.or(narrow.then_some((-32_768, 32_767))),
+                literals: !unknown,
+            }
         };
         let mine = own.variables.iter().map(|v| target(v.name.clone(), v));
         // A template's statements are its instances' too: what they write of the application has to suit them all.

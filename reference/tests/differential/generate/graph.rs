@@ -293,7 +293,11 @@ impl Generator<'_> {
                 ("output", _) => match target {
                     Some(target) if self.random.chance(70) => Expression::leaf(target),
                     _ => {
-                        bindings.push(Binding::Address(name, format!("%QX9.{number}")));
+                        let address = match variable.ty {
+                            Type::Bool => format!("%QX9.{number}"),
+                            _ => format!("%QW{}", 10 + 2 * number),
+                        };
+                        bindings.push(Binding::Address(name, address));
                         continue;
                     }
                 },
@@ -311,13 +315,19 @@ impl Generator<'_> {
     /// A variable of the application that is written as this output is.
     fn binding_target(&mut self, output: &Variable) -> Option<String> {
         let momentary = |mode| matches!(mode, Mode::Momentary(_));
-        let alike = self.globals.iter().filter(|v| {
+        let alike = |v: &&Variable| {
             v.ty == output.ty
                 && matches!(v.kind, "output" | "var")
                 && v.mode != Mode::Faults
                 && momentary(v.mode) == momentary(output.mode)
+        };
+        let globals = self.globals.iter().filter(alike).map(|v| v.name.clone());
+        let written = self.outlines.iter().filter(|o| o.kind == Kind::Written);
+        let own = written.flat_map(|o| {
+            let alike = o.variables.iter().filter(alike);
+            alike.map(|v| format!("{}:{}", o.name, v.name))
         });
-        let alike: Vec<String> = alike.map(|v| v.name.clone()).collect();
+        let alike: Vec<String> = globals.chain(own).collect();
         (!alike.is_empty()).then(|| self.random.pick(&alike).clone())
     }
 }

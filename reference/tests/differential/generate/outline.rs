@@ -255,7 +255,8 @@ impl Generator<'_> {
         }
         done.initial = None;
         let pause = self.variable("parameter", "pause", Type::Time, Mode::Read);
-        template.variables.extend([run, amount, done, pause]);
+        let total = Variable::plain("output", "total", Type::Int, Mode::Stored);
+        template.variables.extend([run, amount, done, total, pause]);
     }
 
     /// What the expressions of a graph may name; without a graph, those of the application.
