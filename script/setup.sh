@@ -1,0 +1,70 @@
+# Sourced by the other scripts: sets up what is missing, once, and says so.
+# Everything comes from the package registries, by name; nothing is left outside the checkout but the Rust target.
+
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+
+TARGET=thumbv6m-none-eabi
+DEFMT_PRINT_VERSION=1.2.0
+ELF2UF2_VERSION=2.2.0
+# Cargo's own variable moves the build directory for everybody alike.
+BUILD_DIR="${CARGO_TARGET_DIR:-target}"
+
+say() { printf '%s\n' "── $*" >&2; }
+
+need() {
+    command -v "$1" >/dev/null 2>&1 && return
+    printf 'error: %s is not installed\nhelp: %s\n' "$1" "$2" >&2
+    exit 2
+}
+
+setup_host() {
+    need cargo 'install Rust from https://rustup.rs'
+}
+
+setup_target() {
+    setup_host
+    need rustup 'install Rust from https://rustup.rs, which brings rustup'
+    if ! rustup target list --installed | grep -qx "$TARGET"; then
+        say "adding the Rust target $TARGET"
+        rustup target add "$TARGET"
+    fi
+}
+
+# The emulated Pico: its packages, and the decoder of the image's log lines.
+setup_emulator() {
+    setup_target
+    need node 'install Node.js 20 or newer'
+    need npm 'install Node.js 20 or newer, which brings npm'
+    if ! cmp -s emulator/package-lock.json emulator/node_modules/.installed-lock; then
+        say "installing the emulator's packages"
+        npm --prefix emulator ci --no-audit --no-fund --loglevel=error
+        cp emulator/package-lock.json emulator/node_modules/.installed-lock
+    fi
+    if ! .tools/bin/defmt-print --version 2>/dev/null | grep -qF "$DEFMT_PRINT_VERSION"; then
+        say "building defmt-print $DEFMT_PRINT_VERSION (once, about a minute)"
+        CARGO_TARGET_DIR="$BUILD_DIR/tools" cargo install --quiet --locked --root .tools \
+            defmt-print --version "$DEFMT_PRINT_VERSION"
+    fi
+}
+
+# What makes of the image a file for the Pico's drive; without its serial monitor, which wants a system library.
+setup_uf2() {
+    setup_host
+    if ! cargo install --list --root .tools 2>/dev/null | grep -qxF "elf2uf2-rs v$ELF2UF2_VERSION:"; then
+        say "building elf2uf2-rs $ELF2UF2_VERSION (once, about a minute)"
+        CARGO_TARGET_DIR="$BUILD_DIR/tools" cargo install --quiet --locked --root .tools --no-default-features \
+            elf2uf2-rs --version "$ELF2UF2_VERSION"
+    fi
+}
+
+# Builds the image; prints nothing but progress. The ELF is $IMAGE.
+build_image() {
+    setup_target
+    say "building the image for the Pico"
+    # The same sources give the same bytes on every machine: no path of this one in the places of panics.
+    local registry="${CARGO_HOME:-$HOME/.cargo}/registry/src"
+    cargo build --locked --release --target "$TARGET" --package plc --bin plc \
+        --config "target.$TARGET.rustflags=[\"--remap-path-prefix=$registry=registry\"]"
+    IMAGE="$BUILD_DIR/$TARGET/release/plc"
+}
