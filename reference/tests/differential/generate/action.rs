@@ -84,8 +84,9 @@ impl Generator<'_> {
         let depth = self.random.below(2);
         let edge = self.expressions(names).edge(depth);
         match self.random.below(5) {
-            0 => Expression::binary("AND", edge, self.expressions(names).boolean(1)),
-            1 => Expression::binary("OR", edge, self.expressions(names).edge(0)),
+            0 => Expression::binary("AND", edge, self.expressions(names).boolean(2)),
+            1 => Expression::binary("AND", edge, self.expressions(names).comparison(2)),
+            2 => Expression::binary("OR", edge, self.expressions(names).edge(0)),
             _ => edge,
         }
     }

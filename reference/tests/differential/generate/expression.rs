@@ -142,14 +142,18 @@ impl Expressions<'_> {
     }
 
     fn enable(&mut self, depth: usize) -> Expression {
-        if !self.names.bits.is_empty() && self.random.chance(50) {
-            Expression::leaf(self.random.pick(&self.names.bits))
+        if self.names.bits.is_empty() || self.random.chance(45) {
+            return self.boolean(depth);
+        }
+        let bit = Expression::leaf(self.random.pick(&self.names.bits));
+        if self.random.chance(15) {
+            Expression::unary(self.random.word(&["↑", "↓"]), bit)
         } else {
-            self.boolean(depth)
+            bit
         }
     }
 
-    fn comparison(&mut self, depth: usize) -> Expression {
+    pub fn comparison(&mut self, depth: usize) -> Expression {
         let operator = self
             .random
             .word(&["=", "<>", "≠", "<", "<=", "≤", ">", ">=", "≥"]);
