@@ -1,8 +1,10 @@
-//! The examples of the manual are programs: each compiles, and nothing is said about it.
+//! The manual against the product: its examples compile and do what their tests say, its table of rules is whole.
 
 use std::path::{Path, PathBuf};
 use std::{fs, io};
 
+use grafcet::testing;
+use grafcet_compiler::diagnostic::Rule;
 use grafcet_compiler::render::{Style, render};
 use grafcet_compiler::{Target, compile};
 
@@ -14,16 +16,40 @@ struct Example {
 }
 
 #[test]
-fn every_program_in_the_manual_compiles_without_a_word() {
+fn every_program_in_the_manual_compiles_without_a_word_and_passes_its_tests() {
     let examples = examples().expect("the manual can be read");
     assert!(examples.len() >= 20, "only {} found", examples.len());
+    let style = Style::default();
     let mut faults = String::new();
     for example in &examples {
         let path = format!("{}:{}", example.page, example.line);
         let compiled = compile(&path, &example.text, &no_library, Target::Host);
-        faults += &render(&compiled.diagnostics, &compiled.sources, Style::default());
+        faults += &render(&compiled.diagnostics, &compiled.sources, style);
+        if let Some(application) = &compiled.application {
+            for test in &application.tests {
+                if let Err(failure) = testing::run(application, test, |_, _| {}) {
+                    faults += &render(&[failure.diagnostic()], &compiled.sources, style);
+                }
+            }
+        }
     }
     assert!(faults.is_empty(), "\n{faults}");
+}
+
+#[test]
+fn every_rule_of_the_language_is_in_its_table() {
+    let page = fs::read_to_string(root().join("language.md")).expect("the page can be read");
+    let row = |rule: &&Rule| {
+        let name = format!("`{}`", rule.name());
+        page.lines()
+            .any(|line| line.starts_with("| `") && line.contains(&name))
+    };
+    let missing: Vec<&Rule> = Rule::ALL.iter().filter(|rule| !row(rule)).collect();
+    assert_eq!(missing, Vec::<&Rule>::new());
+}
+
+fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs/src")
 }
 
 fn no_library(_path: &str) -> io::Result<String> {
@@ -31,7 +57,7 @@ fn no_library(_path: &str) -> io::Result<String> {
 }
 
 fn examples() -> io::Result<Vec<Example>> {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs/src");
+    let root = root();
     let mut examples = Vec::new();
     for path in pages(&root)? {
         let page = path.strip_prefix(&root).unwrap_or(&path).display();
