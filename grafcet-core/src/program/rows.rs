@@ -1,0 +1,175 @@
+//! The rows of the tables: graphs, steps, transitions, orders and statements.
+
+use super::{Bit, Code, Condition, Number, Run, Slot, Stamp};
+
+/// A graph: a run of steps, a run of transitions and the words of its situation.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Graph {
+    /// Rows of [`Program::steps`](super::Program::steps). Step `i` of the run is bit `i` of the graph's situation words.
+    pub steps: Run,
+    /// Words of the image with the situation, used by this graph alone.
+    pub words: Run,
+    /// Rows of [`Program::transitions`](super::Program::transitions).
+    pub transitions: Run,
+    /// Rows of [`Program::armed_by`](super::Program::armed_by): its transitions without entrance steps.
+    pub sources: Run,
+    /// First word in [`Program::situations`](super::Program::situations) of the initial situation.
+    pub initial: u16,
+    /// Rows of [`Program::enclosings`](super::Program::enclosings): the steps that enclose this graph; empty for a graph of its own.
+    pub enclosings: Run,
+    /// Rows of [`Program::orders`](super::Program::orders): forcing by its stand-alone actions, other graphs only.
+    pub orders: Run,
+    /// Rows of [`Program::orders`](super::Program::orders): forcing of itself by its stand-alone actions.
+    pub self_orders: Run,
+    /// Rows of [`Program::watches`](super::Program::watches): edges and timers in the forcing conditions of this graph, self-forcing excepted.
+    pub watches: Run,
+    /// Rows of [`Program::watches`](super::Program::watches): edges and timers in the conditions of its self-forcing.
+    pub self_watches: Run,
+}
+
+/// A step: what it arms and what it does.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Step {
+    /// Rows of [`Program::armed_by`](super::Program::armed_by): transitions that have this step as their first entrance step.
+    pub transitions: Run,
+    /// Rows of [`Program::momentary`](super::Program::momentary): statements that depend on no momentary variable.
+    pub momentary: Run,
+    /// Rows of [`Program::stored`](super::Program::stored): statements without `on`.
+    pub stored: Run,
+    /// Rows of [`Program::stored`](super::Program::stored): `on activation`.
+    pub on_activation: Run,
+    /// Rows of [`Program::stored`](super::Program::stored): `on deactivation`.
+    pub on_deactivation: Run,
+    /// Rows of [`Program::events`](super::Program::events): `on event`.
+    pub on_event: Run,
+    /// Rows of [`Program::orders`](super::Program::orders): forcing by this step.
+    pub orders: Run,
+    /// Where its time of activation is kept, when a timer reads it.
+    pub activated: Option<Stamp>,
+}
+
+/// A macro step: its bit is True while any step of its expansion is active.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Macro {
+    /// The step bit `XM5`.
+    pub bit: Bit,
+    /// The graph it belongs to.
+    pub graph: u16,
+    /// Rows of [`Program::steps`](super::Program::steps): its expansion, nested expansions included.
+    pub steps: Run,
+    /// Where its time of activation is kept, when a timer reads it.
+    pub activated: Option<Stamp>,
+}
+
+/// A transition.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Transition {
+    /// Rows of [`Program::links`](super::Program::links): entrance steps.
+    pub entrance: Run,
+    /// Rows of [`Program::links`](super::Program::links): exit steps.
+    pub exit: Run,
+    /// The trigger.
+    pub trigger: Condition,
+    /// Rows of [`Program::stored`](super::Program::stored): the `do` block.
+    pub actions: Run,
+}
+
+/// A step that encloses a graph.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Enclosing {
+    /// The enclosing step.
+    pub step: Bit,
+    /// First word in [`Program::situations`](super::Program::situations) of the set that its activation gives.
+    pub situation: u16,
+    /// For an initial step, first word in [`Program::situations`](super::Program::situations) of what the graph takes in scan 0: its own initial
+    /// steps, or the set when it has none.
+    pub at_start: Option<u16>,
+}
+
+/// A forcing statement.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Order {
+    /// The graph that is forced.
+    pub graph: u16,
+    /// Place in the source among the orders of one graph: of two valid ones the later wins.
+    pub rank: u16,
+    /// Into what.
+    pub situation: Forced,
+    /// The condition behind `IF`.
+    pub condition: Condition,
+}
+
+/// The situation that an order asks for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Forced {
+    /// The set whose words start there in [`Program::situations`](super::Program::situations); `{I}` and `{}` too.
+    Set(u16),
+    /// `{*}`: the situation before this scan.
+    Current,
+}
+
+/// A stored statement.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Stored {
+    /// What is stored where.
+    pub assignment: Assignment,
+    /// The condition behind `IF`.
+    pub condition: Condition,
+}
+
+/// What a stored statement stores.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Assignment {
+    /// A Boolean.
+    Bit(Bit, Condition),
+    /// A number, clamped to the range of its slot.
+    Number(Number, Code),
+}
+
+/// `on event e`: statements that run when the event comes while their step is active.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Event {
+    /// The event, as a watch of the triggers left it.
+    pub event: Bit,
+    /// Rows of [`Program::stored`](super::Program::stored).
+    pub stored: Run,
+}
+
+/// A momentary statement: its variables are True while its owner is active and the condition holds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Momentary {
+    /// Rows of [`Program::links`](super::Program::links): the variables.
+    pub targets: Run,
+    /// The condition behind `IF`.
+    pub condition: Condition,
+}
+
+/// A momentary statement whose condition reads momentary variables of the same scan.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Dependent {
+    /// The step; none for a stand-alone action.
+    pub owner: Option<Bit>,
+    /// The statement.
+    pub statement: Momentary,
+}
+
+/// A number's first value and its limits, `-2^31 .. 2^31 - 1` when none is declared.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct NumberRow {
+    /// Value in scan 0, within the limits.
+    pub initial: i32,
+    /// Lowest value.
+    pub min: i32,
+    /// Highest value.
+    pub max: i32,
+}
+
+/// A variable or parameter that survives power.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Retained {
+    /// Where its value lives.
+    pub slot: Slot,
+    /// What it is called in the store: a hash of its qualified name, its type and its range, so that a changed program
+    /// keeps what still fits.
+    pub key: u32,
+}
