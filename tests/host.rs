@@ -4,7 +4,7 @@
 
 use std::fs;
 use std::future::pending;
-use std::process::{Command, Output};
+use std::process::{Command, Output, Stdio};
 
 use embassy_futures::block_on;
 use embassy_futures::join::join;
@@ -146,4 +146,18 @@ fn what_cannot_be_done_is_said_and_ends_with_2() {
     let output = plc(&["--fast", "--retain", &missing.to_string_lossy()]);
     assert_eq!(output.status.code(), Some(2));
     assert!(String::from_utf8_lossy(&output.stderr).starts_with("error: cannot use "));
+}
+
+#[test]
+fn the_soft_plc_ends_quietly_when_nobody_reads_its_lines() {
+    let mut plc = Command::new(env!("CARGO_BIN_EXE_plc"))
+        .arg("--fast")
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .expect("the soft PLC starts");
+    drop(plc.stdout.take());
+    let Output { status, stderr, .. } = plc.wait_with_output().expect("it ends");
+    assert_eq!(String::from_utf8_lossy(&stderr), "");
+    assert!(status.success());
 }

@@ -14,6 +14,7 @@ use embassy_time::{Duration, Timer};
 use static_cell::StaticCell;
 
 use super::clock::simulate;
+use super::lines;
 use super::machine::{Machine, Parts};
 use super::script::Outcome;
 use super::server::{Terminals, serve};
@@ -96,11 +97,11 @@ pub fn run() -> ExitCode {
 
 fn play(machine: Machine, retain: &Path, arguments: &Arguments) -> io::Result<Option<Outcome>> {
     let mut limit = arguments.seconds.map(Duration::from_secs);
-    println!(
+    lines::show(format_args!(
         "{}: the soft PLC, {} time",
         NAMES.application,
         if arguments.fast { "simulated" } else { "real" }
-    );
+    ));
     if arguments.fast {
         if DEMONSTRATION.is_none() {
             limit = limit.or(Some(UNSCRIPTED));

@@ -2,6 +2,8 @@
 
 use std::cell::RefCell;
 use std::fmt::Arguments;
+use std::io::{self, Write};
+use std::process;
 
 use embassy_time::Instant;
 
@@ -30,7 +32,18 @@ pub fn print(text: Arguments<'_>) {
         Some(())
     });
     if kept.is_none() {
-        println!("{:>4}.{:03}  {text}", time_ms / 1000, time_ms % 1000);
+        show(format_args!(
+            "{:>4}.{:03}  {text}",
+            time_ms / 1000,
+            time_ms % 1000
+        ));
+    }
+}
+
+/// Shows a line to the user. When nobody reads any more (`plc | head`), the soft PLC has nothing left to do and ends.
+pub fn show(line: Arguments<'_>) {
+    if writeln!(io::stdout(), "{line}").is_err() {
+        process::exit(0);
     }
 }
 
