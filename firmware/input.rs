@@ -3,6 +3,7 @@
 use embassy_time::{Duration, Instant, Timer};
 use embedded_hal::digital::InputPin;
 use grafcet_core::engine::Engine;
+use heapless::Vec;
 
 use crate::filter::{Filter, SAMPLE_US};
 use crate::wiring::InputWire;
@@ -11,28 +12,31 @@ const SAMPLE: Duration = Duration::from_micros(SAMPLE_US as u64);
 
 /// The inputs of the program on their pins.
 pub struct Inputs<P, const N: usize> {
-    pins: [P; N],
-    wires: &'static [InputWire; N],
-    filters: [Filter; N],
+    terminals: Vec<Terminal<P>, N>,
     /// When the filtered pins are sampled next; none when there are none.
     next_sample: Option<Instant>,
 }
 
+/// A pin with what is wired to it.
+struct Terminal<P> {
+    pin: P,
+    wire: &'static InputWire,
+    filter: Filter,
+}
+
 impl<P: InputPin, const N: usize> Inputs<P, N> {
     /// The pins of the wires, in their order.
-    pub fn new(mut pins: [P; N], wires: &'static [InputWire; N]) -> Self {
+    pub fn new(pins: [P; N], wires: &'static [InputWire; N]) -> Self {
         let now = Instant::now();
-        let mut rows = pins.iter_mut().zip(wires);
-        // `rows` has as many items as the array: no filter is made without its pin.
-        let filters = core::array::from_fn(|_| match rows.next() {
-            Some((pin, wire)) => Filter::new(wire.filter_ms, is_true(pin, wire), micros(now)),
-            None => Filter::new(0, false, micros(now)),
-        });
+        let mut terminals = Vec::new();
+        for (mut pin, wire) in pins.into_iter().zip(wires) {
+            let filter = Filter::new(wire.filter_ms, is_true(&mut pin, wire), micros(now));
+            // There is room for each of the N pins.
+            let _ = terminals.push(Terminal { pin, wire, filter });
+        }
         let filtered = wires.iter().any(|wire| wire.filter_ms > 0);
         Inputs {
-            pins,
-            wires,
-            filters,
+            terminals,
             next_sample: filtered.then_some(now.saturating_add(SAMPLE)),
         }
     }
@@ -51,7 +55,7 @@ impl<P: InputPin, const N: usize> Inputs<P, N> {
 
     /// Writes the input image of a scan: the filtered pins as their filters see them, the others as they are.
     pub fn read(&mut self, engine: &mut Engine<'_, '_>) {
-        for ((pin, wire), filter) in self.pins.iter_mut().zip(self.wires).zip(&mut self.filters) {
+        for Terminal { pin, wire, filter } in &mut self.terminals {
             let value = match wire.filter_ms {
                 0 => is_true(pin, wire),
                 _ => filter.read(),
@@ -65,7 +69,7 @@ impl<P: InputPin, const N: usize> Inputs<P, N> {
             return;
         };
         let now = Instant::now();
-        for ((pin, wire), filter) in self.pins.iter_mut().zip(self.wires).zip(&mut self.filters) {
+        for Terminal { pin, wire, filter } in &mut self.terminals {
             if wire.filter_ms > 0 {
                 filter.sample(is_true(pin, wire), micros(now));
             }
