@@ -11,7 +11,6 @@ use grafcet_core::program::Program;
 use plc::application::{INPUTS, OUTPUTS, PLANTS, PROGRAM, Storage};
 use plc::boards::host::machine::{Machine, Parts};
 use plc::boards::host::script::{Next, Outcome, Place, Script, Step, StepKind};
-use plc::boards::host::site::View;
 
 fn leak<T>(items: impl IntoIterator<Item = T>) -> &'static [T] {
     Vec::leak(items.into_iter().collect())
@@ -120,10 +119,7 @@ fn run(machine: &mut Machine, retained: &mut Vec<i32>) -> Next {
             _ => engine.scan(time_ms),
         }
         time_ms += u64::from(PROGRAM.period_ms);
-        let view = View {
-            image: engine.image(),
-            numbers: engine.numbers(),
-        };
+        let view = engine.images();
         next = machine.step(&OUTPUTS.map(|wire| engine.bit(wire.bit)), Some(&view));
     }
     *retained = PROGRAM

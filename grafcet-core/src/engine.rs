@@ -1,6 +1,7 @@
 //! One scan at a time: the phases of `semantics.md` in their order.
 
 use crate::bits::{set_bits, set_bits_of};
+use crate::images::Images;
 use crate::memory::{Memory, remembered};
 use crate::program::{Bit, Evolution, Graph, Number, Program, Slot, Step};
 use crate::watch::Pass;
@@ -99,6 +100,14 @@ impl<'p, 'm> Engine<'p, 'm> {
         self.memory.set_number(number, value);
     }
 
+    /// Writes an input of either kind for the next scan.
+    pub fn sample(&mut self, slot: Slot, value: i32) {
+        match slot {
+            Slot::Bit(bit) => self.set_input(bit, value != 0),
+            Slot::Number(number) => self.sample_number(number, value),
+        }
+    }
+
     /// Gives a parameter a new value between two scans, clamped to its range and counted when it lies outside.
     pub fn set_parameter(&mut self, slot: Slot, value: i32) {
         match slot {
@@ -151,7 +160,7 @@ impl<'p, 'm> Engine<'p, 'm> {
         self.watch(self.program.trigger_watches, pass);
         self.mark_fired();
         self.fire();
-        self.refresh_all_macros();
+        self.refresh_macros();
         self.settle_hierarchy(pass);
         self.stamp_activations();
         for (passed, fired) in self.memory.passed.iter_mut().zip(&*self.memory.fired) {
@@ -164,7 +173,10 @@ impl<'p, 'm> Engine<'p, 'm> {
     fn evolve_until_stable(&mut self) -> bool {
         let mut pass = Pass::First;
         for _ in 0..MAX_ROUNDS {
-            self.memory.remember(&self.program.layout);
+            // The scan has remembered what is before its first round.
+            if pass == Pass::Later {
+                self.memory.remember(&self.program.layout);
+            }
             self.evolve(pass);
             if pass == Pass::First {
                 self.watch(self.program.round_watches, pass);
@@ -203,6 +215,15 @@ impl<'p, 'm> Engine<'p, 'm> {
         match slot {
             Slot::Bit(bit) => i32::from(self.bit(bit)),
             Slot::Number(number) => self.number(number),
+        }
+    }
+
+    /// Both images as the latest scan left them.
+    #[must_use]
+    pub fn images(&self) -> Images<'_> {
+        Images {
+            image: self.memory.image,
+            numbers: self.memory.numbers,
         }
     }
 

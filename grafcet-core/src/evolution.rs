@@ -17,17 +17,11 @@ impl Engine<'_, '_> {
                     }
                 }
             }
-            if graph.sources.len > 0 && self.may_start(graph) {
+            // A transition without entrance steps is always armed while its graph is alive.
+            if graph.sources.len > 0 && self.is_alive(graph) {
                 self.mark_run(graph.sources);
             }
         }
-    }
-
-    /// A transition without entrance steps is always armed, unless its graph is enclosed and no enclosing step is
-    /// active.
-    fn may_start(&self, graph: &Graph) -> bool {
-        let enclosings = graph.enclosings.of(self.program.enclosings);
-        enclosings.is_empty() || enclosings.iter().any(|by| self.memory.bit(by.step))
     }
 
     fn mark_run(&mut self, armed_by: Run) {

@@ -33,7 +33,7 @@ impl Engine<'_, '_> {
                 self.take(graph, situation);
             }
         }
-        self.refresh_all_macros();
+        self.refresh_macros();
         self.memory.mark_start(&program.layout);
     }
 
@@ -75,7 +75,7 @@ impl Engine<'_, '_> {
         let standing = self.standing(index);
         let decision = self.decide(graph, &standing, pass);
         let void = !matches!(decision, Decision::Own);
-        let held = standing.order.is_some() && self.may_be_ordered(graph);
+        let held = standing.order.is_some() && self.is_alive(graph);
         match decision {
             Decision::Empty => self.empty(graph),
             Decision::Set(situation) => self.take(graph, situation),
@@ -84,7 +84,7 @@ impl Engine<'_, '_> {
         }
         if void {
             self.void_fired(graph);
-            self.refresh_macros(index);
+            self.refresh_macros_of(|graph| graph == index);
         }
         if let Some(standing) = self.memory.standings.get_mut(usize::from(index)) {
             *standing = Standing {
@@ -98,7 +98,7 @@ impl Engine<'_, '_> {
     /// The first line of phase 4 that applies.
     fn decide(&self, graph: &Graph, standing: &Standing, pass: Pass) -> Decision {
         let enclosings = graph.enclosings.of(self.program.enclosings);
-        if !self.may_be_ordered(graph) {
+        if !self.is_alive(graph) {
             return Decision::Empty;
         }
         if let Some(given) = standing.order {
@@ -117,8 +117,9 @@ impl Engine<'_, '_> {
         Decision::Own
     }
 
-    /// An order on an enclosed graph is valid only while an enclosing step is active.
-    fn may_be_ordered(&self, graph: &Graph) -> bool {
+    /// An enclosed graph is alive only while an enclosing step is active: otherwise it is empty, no order on it is
+    /// valid, and none of its transitions is armed.
+    pub(crate) fn is_alive(&self, graph: &Graph) -> bool {
         let enclosings = graph.enclosings.of(self.program.enclosings);
         enclosings.is_empty() || enclosings.iter().any(|by| self.memory.bit(by.step))
     }
@@ -199,25 +200,20 @@ impl Engine<'_, '_> {
             .unwrap_or(Standing::FREE)
     }
 
-    /// Brings the macro step bits of one graph up to date.
-    fn refresh_macros(&mut self, graph: u16) {
-        let program = self.program;
-        for row in program.macros.iter().filter(|row| row.graph == graph) {
-            let active = program
-                .graphs
-                .get(usize::from(graph))
-                .is_some_and(|graph| self.any_active(graph, row.steps));
-            self.memory.set_bit(row.bit, active);
-        }
+    /// Brings the macro step bits up to date.
+    pub(crate) fn refresh_macros(&mut self) {
+        self.refresh_macros_of(|_| true);
     }
 
-    /// Brings all macro step bits up to date.
-    pub(crate) fn refresh_all_macros(&mut self) {
-        if self.program.macros.is_empty() {
-            return;
-        }
-        for index in 0..self.program.graphs.len() {
-            self.refresh_macros(u16::try_from(index).unwrap_or(u16::MAX));
+    /// Brings the macro step bits of some graphs up to date.
+    fn refresh_macros_of(&mut self, wanted: impl Fn(u16) -> bool) {
+        let program = self.program;
+        for row in program.macros.iter().filter(|row| wanted(row.graph)) {
+            let active = program
+                .graphs
+                .get(usize::from(row.graph))
+                .is_some_and(|graph| self.any_active(graph, row.steps));
+            self.memory.set_bit(row.bit, active);
         }
     }
 

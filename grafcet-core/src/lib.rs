@@ -14,6 +14,7 @@
 //! - `evolution`: triggers and firing (phases 2 and 3);
 //! - `hierarchy`: enclosing and forcing (phase 4);
 //! - `action`: events, stored and momentary statements (phases 5 to 7);
+//! - [`images`]: what all of it leaves, for whoever looks;
 //! - [`engine`]: the order of it all, scan 0 included.
 
 #![no_std]
@@ -25,6 +26,7 @@ pub mod engine;
 mod evolution;
 mod expression;
 mod hierarchy;
+pub mod images;
 pub mod memory;
 pub mod program;
 pub mod soundness;

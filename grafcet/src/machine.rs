@@ -5,8 +5,8 @@ use grafcet_core::engine::Engine;
 use grafcet_core::program::{Program, Slot};
 use typed_arena::Arena;
 
-use crate::images::Images;
 use crate::memory::Vectors;
+use grafcet_core::images::Images;
 
 /// Where the programs and memories of machines live.
 #[derive(Default)]
@@ -63,18 +63,12 @@ impl<'b> Machine<'b> {
     /// The images as the latest scan left them.
     #[must_use]
     pub fn images(&self) -> Images<'_> {
-        Images {
-            image: self.engine.image(),
-            numbers: self.engine.numbers(),
-        }
+        self.engine.images()
     }
 
     /// Gives an input its sample for the next scan.
     pub fn sample(&mut self, slot: Slot, value: i32) {
-        match slot {
-            Slot::Bit(bit) => self.engine.set_input(bit, value != 0),
-            Slot::Number(number) => self.engine.sample_number(number, value),
-        }
+        self.engine.sample(slot, value);
     }
 
     /// Gives a parameter or variable a new value between two scans, clamped to its range and counted when it lies

@@ -6,8 +6,8 @@ use grafcet_compiler::application::{Application, Place, Plant, VariableSymbol};
 use grafcet_compiler::ast::DeclarationKind;
 use grafcet_core::program::Slot;
 
-use crate::images::Images;
 use crate::machine::{Bench, Machine};
+use grafcet_core::images::Images;
 
 /// The controller of an application, with some of its plants.
 ///

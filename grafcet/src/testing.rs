@@ -8,10 +8,11 @@ use std::collections::{BTreeMap, VecDeque};
 use grafcet_compiler::application::{Application, Claim, Place, Test, TestStep, TestStepKind};
 use grafcet_compiler::source::Span;
 
-use crate::images::{Images, situation};
+use crate::images::situation;
 use crate::machine::{Bench, Machine};
 use crate::simulation::Simulation;
 use crate::table::Table;
+use grafcet_core::images::Images;
 
 /// How many scans before a failure are shown.
 const SHOWN_SCANS: usize = 8;

@@ -6,10 +6,11 @@ use grafcet_compiler::application::{Unit, VariableSymbol};
 use grafcet_compiler::ast::DeclarationKind;
 use grafcet_core::program::Slot;
 
-use crate::images::{Images, situation};
+use crate::images::situation;
 use crate::player::Player;
 use crate::simulation::Simulation;
 use crate::stimulus::Stimulus;
+use grafcet_core::images::Images;
 
 /// The columns of a program's trace.
 #[derive(Clone, Debug)]

@@ -3,8 +3,10 @@
 //! It moves once for each scan of the controller, in the soft PLC or on a board: just after it, so that the next scan
 //! finds everything as the plants left it, and input filters have had the period to see it.
 
+use grafcet_core::images::Images;
+
 use super::script::{Next, Outcome, Player, Script};
-use super::site::{PlantTables, Site, View};
+use super::site::{PlantTables, Site};
 use crate::wiring::{InputWire, OutputWire};
 
 /// Plants and script.
@@ -49,7 +51,7 @@ impl Machine {
 
     /// Moves the machine before the controller's scan 0, when `view` is none, or after a scan of it. `outputs` is what
     /// stands at the controller's output terminals, in the order of its wires.
-    pub fn step(&mut self, outputs: &[bool], view: Option<&View<'_>>) -> Next {
+    pub fn step(&mut self, outputs: &[bool], view: Option<&Images<'_>>) -> Next {
         let next = match &mut self.player {
             Some(player) => player.advance(&mut self.site, view),
             None => Next::Scan,

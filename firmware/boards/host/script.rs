@@ -2,9 +2,10 @@
 //! here or on a board.
 
 use grafcet_core::engine::Engine;
+use grafcet_core::images::Images;
 use grafcet_core::program::{Bit, Program, Slot};
 
-use super::site::{Site, View, new_engine, run, sample};
+use super::site::{Site, new_engine, run};
 
 /// A test, as the build lowered it.
 #[derive(Debug)]
@@ -143,7 +144,7 @@ impl Player {
 
     /// Takes all steps up to the next one that needs a scan. `view` is what the controller's latest scan left; none
     /// when power has come since.
-    pub fn advance(&mut self, site: &mut Site, view: Option<&View<'_>>) -> Next {
+    pub fn advance(&mut self, site: &mut Site, view: Option<&Images<'_>>) -> Next {
         if let Some(view) = view {
             self.observe(site, view);
             let broken = self
@@ -258,13 +259,13 @@ impl Player {
     }
 
     /// Shows the observer what the latest scan left.
-    fn observe(&mut self, site: &Site, view: &View<'_>) {
+    fn observe(&mut self, site: &Site, view: &Images<'_>) {
         for (place, slot) in self.script.reads {
             let value = match place {
                 Place::Controller(from) => view.value(*from),
                 Place::Plant(index, from) => site.plant_value(*index, *from),
             };
-            sample(&mut self.observer, *slot, value);
+            self.observer.sample(*slot, value);
         }
         run(
             &mut self.observer,

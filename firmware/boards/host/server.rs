@@ -24,11 +24,11 @@
 use std::fmt;
 use std::io::{self, BufRead, Write};
 
+use grafcet_core::images::Images;
 use grafcet_core::program::Layout;
 
 use super::machine::Machine;
 use super::script::{Next, Outcome};
-use super::site::View;
 use crate::wiring::{InputWire, Label, OutputWire};
 
 /// The terminals that a server tells of.
@@ -97,7 +97,7 @@ pub fn serve(
         let view = request
             .images
             .as_ref()
-            .map(|(image, numbers)| View { image, numbers });
+            .map(|(image, numbers)| Images { image, numbers });
         let next = machine.step(&outputs, view.as_ref());
         for text in machine.take_said() {
             writeln!(answers, "say {text}")?;

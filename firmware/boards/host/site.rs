@@ -1,6 +1,7 @@
 //! The site around a controller: plants, and the terminals between them and it (`semantics.md`, "Plants").
 
 use grafcet_core::engine::Engine;
+use grafcet_core::images::Images;
 use grafcet_core::memory::{Memory, Standing};
 use grafcet_core::program::{Program, Slot};
 
@@ -18,33 +19,6 @@ pub struct PlantTables {
     pub reads: &'static [(Slot, Slot)],
     /// From the plant's outputs to the controller's inputs.
     pub writes: &'static [(Slot, Slot)],
-}
-
-/// The controller's images as a scan left them.
-#[derive(Clone, Copy, Debug)]
-pub struct View<'a> {
-    /// The Booleans.
-    pub image: &'a [u32],
-    /// The numbers.
-    pub numbers: &'a [i32],
-}
-
-impl View<'_> {
-    /// The value at a slot, False as 0 and True as 1; 0 where the images hold nothing.
-    #[must_use]
-    pub fn value(&self, slot: Slot) -> i32 {
-        match slot {
-            Slot::Bit(bit) => {
-                let word = self.image.get(bit.word()).copied().unwrap_or(0);
-                i32::from(word & bit.mask() != 0)
-            }
-            Slot::Number(number) => self
-                .numbers
-                .get(usize::from(number.0))
-                .copied()
-                .unwrap_or(0),
-        }
-    }
 }
 
 /// Plants and terminals.
@@ -143,7 +117,7 @@ impl Site {
 
     /// One scan of every plant. All of them read before any of them writes. `outputs` is what stands at the
     /// controller's outputs; `view` is none before its scan 0.
-    pub fn scan(&mut self, period_ms: u32, outputs: &[bool], view: Option<&View<'_>>) {
+    pub fn scan(&mut self, period_ms: u32, outputs: &[bool], view: Option<&Images<'_>>) {
         if let Some(view) = view {
             for terminal in &mut self.inputs {
                 terminal.seen = view.value(terminal.slot);
@@ -162,7 +136,7 @@ impl Site {
                     (None, Some(place)) => outputs.get(place).copied().map_or(0, i32::from),
                     (None, None) => view.map_or(0, |view| view.value(*from)),
                 };
-                sample(&mut plant.engine, *to, value);
+                plant.engine.sample(*to, value);
             }
             run(&mut plant.engine, time_ms);
         }
@@ -196,14 +170,6 @@ pub(super) fn new_engine(program: &'static Program<'static>) -> Engine<'static, 
         standings: leak(Standing::FREE, program.graphs.len()),
     };
     Engine::new(program, memory)
-}
-
-/// Gives an input its sample for the next scan.
-pub(super) fn sample(engine: &mut Engine<'_, '_>, slot: Slot, value: i32) {
-    match slot {
-        Slot::Bit(bit) => engine.set_input(bit, value != 0),
-        Slot::Number(number) => engine.sample_number(number, value),
-    }
 }
 
 /// Runs scan 0 at time 0, or a later scan.

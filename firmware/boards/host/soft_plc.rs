@@ -12,6 +12,7 @@ use embassy_sync::blocking_mutex::raw::NoopRawMutex;
 use embassy_sync::signal::Signal;
 use embassy_time::{Duration, Timer};
 use grafcet_core::engine::Engine;
+use grafcet_core::images::Images;
 
 use super::flash::FlashFile;
 use super::lines;
@@ -19,7 +20,6 @@ use super::machine::Machine;
 use super::panel::Panel;
 use super::pins::{Input, Output};
 use super::script::{Next, Outcome};
-use super::site::View;
 use crate::application::{INPUTS, NAMES, OUTPUTS, PROGRAM, RETAIN, Storage};
 use crate::boot::{Cause, boot};
 use crate::input::Inputs;
@@ -100,7 +100,7 @@ struct SoftPlc<'a> {
 
 impl SoftPlc<'_> {
     /// Moves the machine before scan 0 or after a scan.
-    fn step(&self, view: Option<&View<'_>>) {
+    fn step(&self, view: Option<&Images<'_>>) {
         let mut machine = self.machine.borrow_mut();
         self.panel.show_outputs();
         let next = machine.step(&self.panel.outputs(), view);
@@ -119,10 +119,6 @@ impl Board for SoftPlc<'_> {
     const LATE_AFTER: Duration = Duration::from_millis(PROGRAM.period_ms as u64);
 
     fn complete(&mut self, engine: &Engine<'_, '_>) {
-        let view = View {
-            image: engine.image(),
-            numbers: engine.numbers(),
-        };
-        self.step(Some(&view));
+        self.step(Some(&engine.images()));
     }
 }

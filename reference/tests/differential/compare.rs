@@ -2,7 +2,6 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use grafcet::images::Images;
 use grafcet::memory::Vectors;
 use grafcet::trace::Columns;
 use grafcet_compiler::application::{Application, Unit};
@@ -204,10 +203,7 @@ impl<'a> Comparison<'a> {
         engine: &Engine<'_, '_>,
         machine: &Machine<'_>,
     ) -> Result<(), Failure> {
-        let images = Images {
-            image: engine.image(),
-            numbers: engine.numbers(),
-        };
+        let images = engine.images();
         let time_ms = machine.time_ms();
         let cells = self.columns.row(time_ms, images).zip(machine.row());
         let differences: Vec<String> = self
