@@ -85,7 +85,8 @@ fn storage_type(tables: &Tables) -> TokenStream {
         usize::from(layout.stamps),
         usize::from(layout.stack),
         usize::from(layout.fired),
-        tables.graphs.len(),
+        usize::from(layout.passed),
+        usize::from(layout.standings),
     ]
     .map(Literal::usize_unsuffixed);
     quote!(grafcet_core::memory::Storage<#(#sizes),*>)

@@ -2,8 +2,7 @@
 
 use crate::bits::set_bits_of;
 use crate::engine::Engine;
-use crate::memory::remembered;
-use crate::program::{Assignment, Dependent, Momentary, Run, Step, Stored};
+use crate::program::{Assignment, Dependent, Duties, Momentary, Run, Stored};
 
 /// Which steps an action belongs to.
 #[derive(Clone, Copy)]
@@ -21,8 +20,8 @@ enum Steps {
 impl Engine<'_, '_> {
     /// Phase 5: what has just become active is timed from now.
     pub(crate) fn stamp_activations(&mut self) {
-        self.for_each_step(Steps::Activated, |engine, step| {
-            if let Some(stamp) = step.activated {
+        self.for_each_duty(Steps::Activated, |engine, duties| {
+            if let Some(stamp) = duties.activated {
                 engine.memory.set_stamp(stamp, engine.now_ms);
             }
         });
@@ -41,42 +40,50 @@ impl Engine<'_, '_> {
     pub(crate) fn run_changes(&mut self) {
         self.for_each_fired(|engine, transition| engine.run_stored(transition.actions));
         if !self.program.events.is_empty() {
-            self.for_each_step(Steps::Before, |engine, step| {
-                for event in step.on_event.of(engine.program.events) {
+            self.for_each_duty(Steps::Before, |engine, duties| {
+                for event in duties.on_event.of(engine.program.events) {
                     if engine.memory.bit(event.event) {
                         engine.run_stored(event.stored);
                     }
                 }
             });
         }
-        self.for_each_step(Steps::Deactivated, |engine, step| {
-            engine.run_stored(step.on_deactivation);
+        self.for_each_duty(Steps::Deactivated, |engine, duties| {
+            engine.run_stored(duties.on_deactivation);
         });
-        self.for_each_step(Steps::Activated, |engine, step| {
-            engine.run_stored(step.on_activation);
+        self.for_each_duty(Steps::Activated, |engine, duties| {
+            engine.run_stored(duties.on_activation);
         });
     }
 
     /// Phase 6, the statements without `on`: stand-alone actions, then actions of the active steps.
     pub(crate) fn run_lasting(&mut self) {
         self.run_stored(self.program.always_stored);
-        self.for_each_step(Steps::Active, |engine, step| engine.run_stored(step.stored));
+        if self.program.lasting_in_steps {
+            self.for_each_duty(Steps::Active, |engine, duties| {
+                engine.run_stored(duties.stored);
+            });
+        }
     }
 
     /// Phase 7: a momentary variable is the OR of its statements, those that read others after those they read.
     pub(crate) fn run_momentary(&mut self) {
         let program = self.program;
-        if let Some(words) = self
-            .memory
-            .image
-            .get_mut(program.layout.momentary.indices())
-        {
-            words.fill(0);
+        let words = program.layout.momentary.indices();
+        match self.memory.image.get_mut(words) {
+            // Most programs have one, and for one a call to clear memory is long.
+            Some([word]) => *word = 0,
+            Some(words) => words.fill(0),
+            None => {}
         }
         self.run_momentary_rows(program.always_momentary);
-        self.for_each_step(Steps::Active, |engine, step| {
-            engine.run_momentary_rows(step.momentary);
-        });
+        for (word, base) in program.layout.situations.indices().zip(program.bases) {
+            for bit in set_bits_of(self.memory.word(word)) {
+                if let Some(step) = program.steps.get(usize::from(*base) + bit) {
+                    self.run_momentary_rows(step.momentary);
+                }
+            }
+        }
         for Dependent { owner, statement } in program.dependent {
             if owner.is_none_or(|step| self.memory.bit(step)) {
                 self.run_momentary_row(statement);
@@ -91,9 +98,11 @@ impl Engine<'_, '_> {
     }
 
     fn run_momentary_row(&mut self, row: &Momentary) {
-        if self.holds(row.condition) {
-            for bit in row.targets.of(self.program.links) {
-                self.memory.set_bit(*bit, true);
+        if self.holds(&row.condition) {
+            for target in row.targets.of(self.program.targets) {
+                if let Some(word) = self.memory.image.get_mut(usize::from(target.word)) {
+                    *word |= target.mask;
+                }
             }
         }
     }
@@ -104,41 +113,39 @@ impl Engine<'_, '_> {
             condition,
         } in rows.of(self.program.stored)
         {
-            if !self.holds(*condition) {
+            if !self.holds(condition) {
                 continue;
             }
-            match *assignment {
+            match assignment {
                 Assignment::Bit(bit, value) => {
                     let value = self.holds(value);
-                    self.memory.set_bit(bit, value);
+                    self.set_bit(*bit, value);
                 }
                 Assignment::Number(number, value) => {
-                    let value = self.value_of(value);
-                    self.store_number(number, value);
+                    let value = self.value_of(*value);
+                    self.store_number(*number, value);
                 }
             }
         }
     }
 
-    /// Visits steps in source order.
-    fn for_each_step(&mut self, which: Steps, mut visit: impl FnMut(&mut Self, &Step)) {
+    /// Visits in source order what steps do beside momentary actions.
+    fn for_each_duty(&mut self, which: Steps, mut visit: impl FnMut(&mut Self, &Duties)) {
         let program = self.program;
-        for graph in program.graphs {
-            for (offset, word) in graph.words.indices().enumerate() {
-                let now = self.memory.word(word);
-                let before = remembered(&program.layout, word)
-                    .and_then(|word| self.memory.before.get(word).copied())
-                    .unwrap_or(0);
-                let steps = match which {
-                    Steps::Active => now,
-                    Steps::Before => before,
-                    Steps::Activated => now & !before,
-                    Steps::Deactivated => before & !now,
-                };
-                for bit in set_bits_of(steps) {
-                    if let Some(step) = self.step(graph, offset * 32 + bit) {
-                        visit(self, step);
-                    }
+        let words = program.layout.situations.indices();
+        for (place, (word, base)) in words.zip(program.bases).enumerate() {
+            let now = self.memory.word(word);
+            let before = self.memory.before.get(place).copied().unwrap_or(0);
+            let steps = match which {
+                Steps::Active => now,
+                Steps::Before => before,
+                Steps::Activated => now & !before,
+                Steps::Deactivated => before & !now,
+            };
+            for bit in set_bits_of(steps) {
+                let step = program.steps.get(usize::from(*base) + bit);
+                if let Some(duties) = step.and_then(|step| self.duties(step)) {
+                    visit(self, duties);
                 }
             }
         }

@@ -2,8 +2,8 @@
 
 use crate::bits::{set_bits, set_bits_of};
 use crate::images::Images;
-use crate::memory::{Memory, remembered};
-use crate::program::{Bit, Evolution, Graph, Number, Program, Slot, Step};
+use crate::memory::{Memory, NEVER, remembered};
+use crate::program::{Bit, Duties, Evolution, Graph, Number, Program, Run, Slot, Step};
 use crate::watch::Pass;
 
 /// Rounds of one scan after which a program that evolves `stable` counts as unstable.
@@ -17,8 +17,30 @@ pub const MAX_ROUNDS: u32 = 100;
 pub struct Engine<'p, 'm> {
     pub(crate) program: &'p Program<'p>,
     pub(crate) memory: Memory<'m>,
+    /// Whether the next scan can differ from the one before.
+    pub(crate) news: News,
+    /// When the next timer runs out that the latest scan has found running, in ms since scan 0.
+    pub(crate) due_ms: u64,
     /// The time stamp of the scan, in ms since scan 0.
     pub(crate) now_ms: u64,
+    /// The situations are on the move and phase 5 has not timed the new ones yet.
+    pub(crate) settling: bool,
+    /// The latest round marked transitions.
+    marked: bool,
+    /// The latest scan fired transitions or changed a situation.
+    moved: bool,
+}
+
+/// What a scan would find new. The greatest of several news counts.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) enum News {
+    /// Exactly what the scan before found: the same inputs, situations and values, which changed nothing.
+    None,
+    /// Something that the scan before has changed.
+    Changed,
+    /// New inputs, parameters or the end of a timer: what it makes of them is seen by the scan after it as well,
+    /// since a trigger sees momentary variables as the scan before left them.
+    Fresh,
 }
 
 impl<'p, 'm> Engine<'p, 'm> {
@@ -27,14 +49,19 @@ impl<'p, 'm> Engine<'p, 'm> {
         let mut engine = Engine {
             program,
             memory,
+            news: News::Fresh,
+            due_ms: NEVER,
             now_ms: 0,
+            settling: false,
+            marked: true,
+            moved: true,
         };
         engine.memory.clear();
         for (value, row) in engine.memory.numbers.iter_mut().zip(program.numbers) {
             *value = row.initial;
         }
         for bit in program.initially_true {
-            engine.memory.set_bit(*bit, true);
+            engine.memory.raise_bit(*bit);
         }
         engine
     }
@@ -52,14 +79,14 @@ impl<'p, 'm> Engine<'p, 'm> {
             Slot::Bit(bit) => {
                 let fits = matches!(value, 0 | 1);
                 if fits {
-                    self.memory.set_bit(bit, value == 1);
+                    self.memory.put_bit(bit, value == 1);
                 }
                 fits
             }
             Slot::Number(number) => {
                 let fits = self.clamp(number, value) == value;
                 if fits {
-                    self.memory.set_number(number, value);
+                    self.memory.put_number(number, value);
                 }
                 fits
             }
@@ -68,19 +95,33 @@ impl<'p, 'm> Engine<'p, 'm> {
 
     /// Sets `System:recovered`, before [`Engine::start`].
     pub fn set_recovered(&mut self, recovered: bool) {
-        self.memory.set_bit(Bit::RECOVERED, recovered);
+        self.memory.put_bit(Bit::RECOVERED, recovered);
     }
 
     /// Sets `System:overruns`; a count beyond 2^31 - 1 stays there.
     pub fn set_overruns(&mut self, overruns: u32) {
         let overruns = i32::try_from(overruns).unwrap_or(i32::MAX);
-        self.memory.set_number(Number::OVERRUNS, overruns);
+        if self.memory.put_number(Number::OVERRUNS, overruns) {
+            self.news = News::Fresh;
+        }
     }
 
     /// Writes a Boolean input for the next scan. A bit that is no input is left alone.
     pub fn set_input(&mut self, bit: Bit, value: bool) {
-        if self.program.layout.inputs.indices().contains(&bit.word()) {
-            self.memory.set_bit(bit, value);
+        let is_input = self.program.layout.inputs.indices().contains(&bit.word());
+        if is_input && self.memory.put_bit(bit, value) {
+            self.news = News::Fresh;
+        }
+    }
+
+    /// Writes 32 Boolean inputs for the next scan: the word with that place among the words of inputs, in which they
+    /// lie in the order of their declarations.
+    #[inline]
+    pub fn set_inputs(&mut self, place: u16, inputs: u32) {
+        let words = self.program.layout.inputs;
+        let word = usize::from(words.start) + usize::from(place);
+        if place < words.len && self.memory.put_word(word, inputs) {
+            self.news = News::Fresh;
         }
     }
 
@@ -93,11 +134,14 @@ impl<'p, 'm> Engine<'p, 'm> {
         let value = self.clamp(number, raw);
         let place = number.0 - inputs.start;
         let outside = Bit(self.program.layout.outside.start * 32 + place);
-        if value != raw && !self.memory.bit(outside) {
+        let is_outside = value != raw;
+        let crossed = self.memory.put_bit(outside, is_outside);
+        if crossed && is_outside {
             self.count_arithmetic_fault();
         }
-        self.memory.set_bit(outside, value != raw);
-        self.memory.set_number(number, value);
+        if self.memory.put_number(number, value) || crossed {
+            self.news = News::Fresh;
+        }
     }
 
     /// Writes an input of either kind for the next scan.
@@ -111,43 +155,69 @@ impl<'p, 'm> Engine<'p, 'm> {
     /// Gives a parameter a new value between two scans, clamped to its range and counted when it lies outside.
     pub fn set_parameter(&mut self, slot: Slot, value: i32) {
         match slot {
-            Slot::Bit(bit) => self.memory.set_bit(bit, value != 0),
+            Slot::Bit(bit) => self.set_bit(bit, value != 0),
             Slot::Number(number) => self.store_number(number, value),
         }
+        self.news = News::Fresh;
     }
 
     /// Scan 0: initialisation, at time 0.
     pub fn start(&mut self) {
         let program = self.program;
         self.now_ms = 0;
-        self.memory.set_bit(Bit::FIRST_SCAN, true);
+        self.due_ms = NEVER;
+        self.memory.raise_bit(Bit::FIRST_SCAN);
         self.take_initial_situations();
+        self.settling = true;
         self.watch(program.trigger_watches, Pass::Start);
         self.settle_hierarchy(Pass::Start);
         self.stamp_activations();
+        self.settling = false;
         self.watch(program.round_watches, Pass::Start);
         self.watch(program.action_watches, Pass::Start);
         self.run_changes();
         self.run_lasting();
         self.run_momentary();
         self.memory.forget_start();
+        self.news = News::Fresh;
     }
 
     /// Scan k > 0, at its scheduled release time in ms since scan 0. Times must not descend.
-    pub fn scan(&mut self, time_ms: u64) {
+    ///
+    /// False when it was an idle one: no input is new, no timer has run out and the scan before has changed nothing,
+    /// so that this one would find and do exactly the same. Nothing is evaluated then, and nothing needs writing.
+    #[inline]
+    pub fn scan(&mut self, time_ms: u64) -> bool {
+        if self.news == News::None && time_ms < self.due_ms {
+            return false;
+        }
+        self.full_scan(time_ms);
+        true
+    }
+
+    fn full_scan(&mut self, time_ms: u64) {
+        let fresh = self.news == News::Fresh || time_ms >= self.due_ms;
+        self.news = if fresh { News::Changed } else { News::None };
+        self.due_ms = NEVER;
         self.now_ms = time_ms;
-        self.memory.set_bit(Bit::FIRST_SCAN, false);
-        self.memory.remember(&self.program.layout);
-        self.memory.mark_scan();
+        self.memory.clear_bit(Bit::FIRST_SCAN);
         match self.program.evolution {
             Evolution::Scan => {
-                self.evolve(Pass::First);
+                if self.moved {
+                    self.memory.remember(&self.program.layout);
+                    self.memory.mark_scan();
+                }
+                self.moved = self.evolve(Pass::First);
                 self.watch(self.program.action_watches, Pass::First);
-                self.run_changes();
+                if self.moved || !self.program.events.is_empty() {
+                    self.run_changes();
+                }
             }
             Evolution::Stable => {
+                self.memory.remember(&self.program.layout);
+                self.memory.mark_scan();
                 let settled = self.evolve_until_stable();
-                self.memory.set_bit(Bit::UNSTABLE, !settled);
+                self.set_bit(Bit::UNSTABLE, !settled);
                 self.watch(self.program.action_watches, Pass::First);
             }
         }
@@ -155,17 +225,32 @@ impl<'p, 'm> Engine<'p, 'm> {
         self.run_momentary();
     }
 
-    /// Phases 2 to 5, once.
-    fn evolve(&mut self, pass: Pass) {
+    /// Phases 2 to 5, once. True when a transition has fired or a situation has changed.
+    fn evolve(&mut self, pass: Pass) -> bool {
         self.watch(self.program.trigger_watches, pass);
-        self.mark_fired();
-        self.fire();
-        self.refresh_macros();
-        self.settle_hierarchy(pass);
-        self.stamp_activations();
+        if self.marked {
+            self.memory.fired.fill(0);
+        }
+        self.marked = self.mark_fired();
+        if self.marked {
+            self.fire();
+            self.refresh_macros();
+        }
+        let mut moved = self.marked;
+        if self.program.layout.standings > 0 {
+            self.settling = true;
+            self.settle_hierarchy(pass);
+            moved = self.any_fired() || self.any_changed();
+        }
+        if moved {
+            self.note_change();
+            self.stamp_activations();
+        }
+        self.settling = false;
         for (passed, fired) in self.memory.passed.iter_mut().zip(&*self.memory.fired) {
             *passed |= fired;
         }
+        moved
     }
 
     /// Rounds of phases 2 to 5 with the statements that belong to a change, until nothing fires or the situation is
@@ -241,7 +326,10 @@ impl<'p, 'm> Engine<'p, 'm> {
 
     /// The transitions that fired in the latest scan, as indices in [`Program::transitions`], in source order.
     pub fn fired(&self) -> impl Iterator<Item = usize> + '_ {
-        set_bits(self.memory.passed)
+        set_bits(match self.program.evolution {
+            Evolution::Scan => self.memory.fired,
+            Evolution::Stable => self.memory.passed,
+        })
     }
 
     /// Whether the latest scan changed a graph's situation.
@@ -295,19 +383,48 @@ impl<'p, 'm> Engine<'p, 'm> {
         graph.steps.of(self.program.steps).get(place)
     }
 
+    /// What a step does beside momentary actions, if it does.
+    pub(crate) fn duties(&self, step: &Step) -> Option<&'p Duties> {
+        match step.duties {
+            0 => None,
+            row => self.program.duties.get(usize::from(row)),
+        }
+    }
+
+    /// The bits of a run of links.
+    pub(crate) fn links(&self, links: Run) -> &'p [Bit] {
+        links.of(self.program.links)
+    }
+
+    /// Stores a Boolean.
+    pub(crate) fn set_bit(&mut self, bit: Bit, value: bool) {
+        if self.memory.put_bit(bit, value) {
+            self.note_change();
+        }
+    }
+
     /// Stores a number, clamped to its range and counted when it lies outside.
     pub(crate) fn store_number(&mut self, number: Number, value: i32) {
         let clamped = self.clamp(number, value);
         if clamped != value {
             self.count_arithmetic_fault();
         }
-        self.memory.set_number(number, clamped);
+        if self.memory.put_number(number, clamped) {
+            self.note_change();
+        }
     }
 
     pub(crate) fn count_arithmetic_fault(&mut self) {
         let count = self.memory.number(Number::ARITHMETIC_FAULTS);
-        self.memory
-            .set_number(Number::ARITHMETIC_FAULTS, count.saturating_add(1));
+        let count = count.saturating_add(1);
+        if self.memory.put_number(Number::ARITHMETIC_FAULTS, count) {
+            self.note_change();
+        }
+    }
+
+    /// Notes that the next scan may find something else than this one.
+    pub(crate) fn note_change(&mut self) {
+        self.news = self.news.max(News::Changed);
     }
 
     fn clamp(&self, number: Number, value: i32) -> i32 {

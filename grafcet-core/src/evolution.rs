@@ -2,52 +2,74 @@
 
 use crate::bits::set_bits_of;
 use crate::engine::Engine;
-use crate::program::{Graph, Run, Transition};
+use crate::program::{Run, Transition};
 
 impl Engine<'_, '_> {
-    /// Marks every armed transition whose trigger is True. The situations stay as they are meanwhile, so that all
-    /// transitions see the same one.
-    pub(crate) fn mark_fired(&mut self) {
-        self.memory.fired.fill(0);
-        for graph in self.program.graphs {
-            for (offset, word) in graph.words.indices().enumerate() {
-                for bit in set_bits_of(self.memory.word(word)) {
-                    if let Some(step) = self.step(graph, offset * 32 + bit) {
-                        self.mark_run(step.transitions);
-                    }
+    /// Marks every armed transition whose trigger is True, and tells whether there is one. The situations stay as
+    /// they are meanwhile, so that all transitions see the same one.
+    pub(crate) fn mark_fired(&mut self) -> bool {
+        let program = self.program;
+        let mut any = false;
+        for (word, base) in program.layout.situations.indices().zip(program.bases) {
+            for bit in set_bits_of(self.memory.word(word)) {
+                if let Some(step) = program.steps.get(usize::from(*base) + bit) {
+                    any |= self.mark_run(step.arms);
                 }
             }
-            // A transition without entrance steps is always armed while its graph is alive.
-            if graph.sources.len > 0 && self.is_alive(graph) {
-                self.mark_run(graph.sources);
-            }
         }
+        any | self.mark_sources()
     }
 
-    fn mark_run(&mut self, armed_by: Run) {
-        for &index in armed_by.of(self.program.armed_by) {
-            let Some(transition) = self.program.transitions.get(usize::from(index)) else {
-                continue;
+    /// A transition without entrance steps is always armed while its graph is alive.
+    fn mark_sources(&mut self) -> bool {
+        let program = self.program;
+        let mut any = false;
+        for graph in program.sources {
+            let graph = program.graphs.get(usize::from(*graph));
+            if let Some(graph) = graph.filter(|graph| self.is_alive(graph)) {
+                any |= self.mark_run(graph.sources);
+            }
+        }
+        any
+    }
+
+    fn mark_run(&mut self, arms: Run) -> bool {
+        let mut any = false;
+        let mut arms = arms.of(self.program.arms).iter();
+        loop {
+            let image: &[u32] = self.memory.image;
+            let Some(arm) = arms.find(|arm| arm.first.holds(image)) else {
+                return any;
             };
-            if self.is_armed(transition) && self.holds(transition.trigger) {
-                let index = usize::from(index);
-                if let Some(word) = self.memory.fired.get_mut(index / 32) {
-                    *word |= 1 << (index % 32);
-                }
-            }
+            any |= self.mark(usize::from(arm.transition));
         }
     }
 
-    fn is_armed(&self, transition: &Transition) -> bool {
-        let entrance = transition.entrance.of(self.program.links);
-        entrance.iter().all(|step| self.memory.bit(*step))
+    /// Marks a transition whose first term holds if all else holds.
+    fn mark(&mut self, index: usize) -> bool {
+        let Some(transition) = self.program.transitions.get(index) else {
+            return false;
+        };
+        let fires = self.holds(&transition.fires);
+        if fires && let Some(word) = self.memory.fired.get_mut(index / 32) {
+            *word |= 1 << (index % 32);
+        }
+        fires
     }
 
     /// Fires all marked transitions together: first every entrance step is left, then every exit step is entered, so
     /// that activation has priority (IEC 60848 rule 5).
     pub(crate) fn fire(&mut self) {
-        self.for_each_fired(|engine, transition| engine.set_links(transition.entrance, false));
-        self.for_each_fired(|engine, transition| engine.set_links(transition.exit, true));
+        self.for_each_fired(|engine, transition| {
+            for step in engine.links(transition.entrance) {
+                engine.memory.clear_bit(*step);
+            }
+        });
+        self.for_each_fired(|engine, transition| {
+            for step in engine.links(transition.exit) {
+                engine.memory.raise_bit(*step);
+            }
+        });
     }
 
     /// Visits the transitions that fired in this round, in source order.
@@ -68,17 +90,11 @@ impl Engine<'_, '_> {
     }
 
     /// Takes back the firing of a graph whose own evolution is void.
-    pub(crate) fn void_fired(&mut self, graph: &Graph) {
-        for index in graph.transitions.indices() {
+    pub(crate) fn void_fired(&mut self, transitions: Run) {
+        for index in transitions.indices() {
             if let Some(word) = self.memory.fired.get_mut(index / 32) {
                 *word &= !(1 << (index % 32));
             }
-        }
-    }
-
-    fn set_links(&mut self, links: Run, value: bool) {
-        for bit in links.of(self.program.links) {
-            self.memory.set_bit(*bit, value);
         }
     }
 }

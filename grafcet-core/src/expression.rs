@@ -2,19 +2,44 @@
 
 use crate::engine::Engine;
 use crate::memory::NEVER;
-use crate::program::{Bit, Code, Condition, Op, Stamp, Unit};
+use crate::program::{Bit, Code, Condition, Op, Preset, Rest, Run, Stamp, Term, Unit};
 
 impl Engine<'_, '_> {
     /// Whether a condition holds now. Arithmetic that goes wrong on the way is counted.
-    pub(crate) fn holds(&mut self, condition: Condition) -> bool {
-        match condition {
-            Condition::Always => true,
-            Condition::All(terms) => terms
-                .of(self.program.terms)
-                .iter()
-                .all(|term| self.memory.word(usize::from(term.word)) & term.mask == term.state),
-            Condition::Code(code) => self.value_of(code) != 0,
+    pub(crate) fn holds(&mut self, condition: &Condition) -> bool {
+        self.terms_hold(condition.terms) && self.rest_holds(condition.rest)
+    }
+
+    /// Whether all terms hold now.
+    pub(crate) fn terms_hold(&self, terms: Run) -> bool {
+        let image: &[u32] = self.memory.image;
+        let mut terms = terms.of(self.program.terms).iter();
+        terms.all(|term| term.holds(image))
+    }
+
+    /// Whether what a condition asks for beside its terms holds now.
+    pub(crate) fn rest_holds(&mut self, rest: Rest) -> bool {
+        match rest {
+            Rest::None => true,
+            Rest::Elapsed(timer) => self.has_elapsed(timer),
+            Rest::Running(timer) => !self.has_elapsed(timer),
+            Rest::Code(code) => {
+                let code = self.program.codes.get(usize::from(code));
+                code.is_some_and(|code| self.value_of(*code) != 0)
+            }
         }
+    }
+
+    fn has_elapsed(&mut self, timer: u16) -> bool {
+        let Some(timer) = self.program.timers.get(usize::from(timer)) else {
+            return false;
+        };
+        let (preset, unit) = match timer.preset {
+            Preset::Constant(ms) => (ms, Unit::Milliseconds),
+            Preset::Number(number, unit) => (self.memory.number(number), unit),
+        };
+        let risen = self.activation(timer.step, timer.activated);
+        self.elapsed(risen, preset, unit)
     }
 
     /// The value that a piece of code leaves.
@@ -104,29 +129,44 @@ impl Engine<'_, '_> {
         self.memory.stack.get(*depth).copied().unwrap_or(0)
     }
 
-    /// When a step or macro step was last activated. One that is activated in this very round counts from now,
-    /// before and after phase 5 has written it down.
+    /// When a step or macro step was last activated. Until phase 5 has written it down, one that is activated in
+    /// this very round counts from now.
     fn activation(&self, step: Bit, activated: Stamp) -> u64 {
         let layout = &self.program.layout;
-        if self.memory.bit(step) && !self.memory.was_active(layout, step) {
+        if self.settling && self.memory.bit(step) && !self.memory.was_active(layout, step) {
             self.now_ms
         } else {
             self.memory.stamp(activated)
         }
     }
 
-    /// Whether the preset has passed since a rise. A rise that never was has no elapsed time.
-    pub(crate) fn elapsed(&self, risen_ms: u64, preset: i32, unit: Unit) -> bool {
+    /// Whether the preset has passed since a rise; if not, the next scan by then is no idle one. A rise that never
+    /// was has no elapsed time.
+    pub(crate) fn elapsed(&mut self, risen_ms: u64, preset: i32, unit: Unit) -> bool {
         if risen_ms == NEVER {
             return false;
         }
-        let preset_ms = match unit {
-            Unit::Milliseconds => i64::from(preset),
-            Unit::Seconds => i64::from(preset) * 1000,
-        };
         // A preset below zero has always passed.
-        u64::try_from(preset_ms).map_or(true, |preset_ms| {
-            self.now_ms.saturating_sub(risen_ms) >= preset_ms
-        })
+        let Ok(preset) = u64::try_from(preset) else {
+            return true;
+        };
+        let preset_ms = match unit {
+            Unit::Milliseconds => preset,
+            Unit::Seconds => preset * 1000,
+        };
+        let due_ms = risen_ms.saturating_add(preset_ms);
+        if self.now_ms >= due_ms {
+            return true;
+        }
+        self.due_ms = self.due_ms.min(due_ms);
+        false
+    }
+}
+
+impl Term {
+    /// Whether the bits of the image stand as they must.
+    pub(crate) fn holds(&self, image: &[u32]) -> bool {
+        let word = image.get(usize::from(self.word));
+        word.is_some_and(|word| word & self.mask == self.state)
     }
 }

@@ -83,15 +83,19 @@ impl Engine<'_, '_> {
             Decision::Own => {}
         }
         if void {
-            self.void_fired(graph);
+            self.void_fired(graph.transitions);
             self.refresh_macros_of(|graph| graph == index);
         }
+        let new = Standing {
+            order: standing.order,
+            held,
+            void,
+        };
+        if (held, void) != (standing.held, standing.void) {
+            self.note_change();
+        }
         if let Some(standing) = self.memory.standings.get_mut(usize::from(index)) {
-            *standing = Standing {
-                order: standing.order,
-                held,
-                void,
-            };
+            *standing = new;
         }
     }
 
@@ -164,7 +168,9 @@ impl Engine<'_, '_> {
         for (offset, word) in graph.words.indices().enumerate() {
             for bit in set_bits_of(self.memory.word(word)) {
                 if let Some(step) = self.step(graph, offset * 32 + bit) {
-                    self.give_orders(step.orders, by);
+                    if let Some(duties) = self.duties(step) {
+                        self.give_orders(duties.orders, by);
+                    }
                 }
             }
         }
@@ -173,7 +179,7 @@ impl Engine<'_, '_> {
     /// Of two valid orders that of the graph taken first wins, within one graph the later statement.
     fn give_orders(&mut self, orders: Run, by: u16) {
         for order in orders.of(self.program.orders) {
-            if !self.holds(order.condition) {
+            if !self.holds(&order.condition) {
                 continue;
             }
             let Some(standing) = self.memory.standings.get_mut(usize::from(order.graph)) else {
@@ -213,7 +219,7 @@ impl Engine<'_, '_> {
                 .graphs
                 .get(usize::from(row.graph))
                 .is_some_and(|graph| self.any_active(graph, row.steps));
-            self.memory.set_bit(row.bit, active);
+            self.memory.put_bit(row.bit, active);
         }
     }
 

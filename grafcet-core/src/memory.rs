@@ -45,17 +45,18 @@ pub struct Storage<
     const STAMPS: usize,
     const STACK: usize,
     const FIRED: usize,
-    const GRAPHS: usize,
+    const PASSED: usize,
+    const STANDINGS: usize,
 > {
     image: [u32; WORDS],
     numbers: [i32; NUMBERS],
     before: [u32; SITUATION_WORDS],
     before_scan: [u32; SITUATION_WORDS],
     fired: [u32; FIRED],
-    passed: [u32; FIRED],
+    passed: [u32; PASSED],
     stack: [i32; STACK],
     stamps: [u64; STAMPS],
-    standings: [Standing; GRAPHS],
+    standings: [Standing; STANDINGS],
 }
 
 impl<
@@ -65,8 +66,9 @@ impl<
     const STAMPS: usize,
     const STACK: usize,
     const FIRED: usize,
-    const GRAPHS: usize,
-> Storage<WORDS, NUMBERS, SITUATION_WORDS, STAMPS, STACK, FIRED, GRAPHS>
+    const PASSED: usize,
+    const STANDINGS: usize,
+> Storage<WORDS, NUMBERS, SITUATION_WORDS, STAMPS, STACK, FIRED, PASSED, STANDINGS>
 {
     /// Memory in which nothing has happened.
     #[must_use]
@@ -77,10 +79,10 @@ impl<
             before: [0; SITUATION_WORDS],
             before_scan: [0; SITUATION_WORDS],
             fired: [0; FIRED],
-            passed: [0; FIRED],
+            passed: [0; PASSED],
             stack: [0; STACK],
             stamps: [NEVER; STAMPS],
-            standings: [Standing::FREE; GRAPHS],
+            standings: [Standing::FREE; STANDINGS],
         }
     }
 
@@ -107,8 +109,9 @@ impl<
     const STAMPS: usize,
     const STACK: usize,
     const FIRED: usize,
-    const GRAPHS: usize,
-> Default for Storage<WORDS, NUMBERS, SITUATION_WORDS, STAMPS, STACK, FIRED, GRAPHS>
+    const PASSED: usize,
+    const STANDINGS: usize,
+> Default for Storage<WORDS, NUMBERS, SITUATION_WORDS, STAMPS, STACK, FIRED, PASSED, STANDINGS>
 {
     fn default() -> Self {
         Self::new()
@@ -131,13 +134,13 @@ pub struct Memory<'m> {
     pub before_scan: &'m mut [u32],
     /// The transitions that fired in this round. [`Layout::fired`] words.
     pub fired: &'m mut [u32],
-    /// The transitions that fired in this scan. [`Layout::fired`] words.
+    /// The transitions that fired in this scan's rounds so far. [`Layout::passed`] words.
     pub passed: &'m mut [u32],
     /// Room for postfix code. [`Layout::stack`] values.
     pub stack: &'m mut [i32],
     /// Times of activation and of rise, in ms. [`Layout::stamps`] of them.
     pub stamps: &'m mut [u64],
-    /// One for each graph.
+    /// One for each graph, if a graph forces or encloses another. [`Layout::standings`] of them.
     pub standings: &'m mut [Standing],
 }
 
@@ -162,14 +165,35 @@ impl Memory<'_> {
         self.word(bit.word()) & bit.mask() != 0
     }
 
-    pub(crate) fn set_bit(&mut self, bit: Bit, value: bool) {
+    /// Writes a bit and tells whether that changed it.
+    pub(crate) fn put_bit(&mut self, bit: Bit, value: bool) -> bool {
+        let Some(word) = self.image.get_mut(bit.word()) else {
+            return false;
+        };
+        let new = if value {
+            *word | bit.mask()
+        } else {
+            *word & !bit.mask()
+        };
+        core::mem::replace(word, new) != new
+    }
+
+    pub(crate) fn clear_bit(&mut self, bit: Bit) {
         if let Some(word) = self.image.get_mut(bit.word()) {
-            if value {
-                *word |= bit.mask();
-            } else {
-                *word &= !bit.mask();
-            }
+            *word &= !bit.mask();
         }
+    }
+
+    pub(crate) fn raise_bit(&mut self, bit: Bit) {
+        if let Some(word) = self.image.get_mut(bit.word()) {
+            *word |= bit.mask();
+        }
+    }
+
+    /// Writes a word and tells whether that changed it.
+    pub(crate) fn put_word(&mut self, word: usize, value: u32) -> bool {
+        let word = self.image.get_mut(word);
+        word.is_some_and(|word| core::mem::replace(word, value) != value)
     }
 
     pub(crate) fn number(&self, number: Number) -> i32 {
@@ -179,10 +203,10 @@ impl Memory<'_> {
             .unwrap_or(0)
     }
 
-    pub(crate) fn set_number(&mut self, number: Number, value: i32) {
-        if let Some(slot) = self.numbers.get_mut(usize::from(number.0)) {
-            *slot = value;
-        }
+    /// Writes a number and tells whether that changed it.
+    pub(crate) fn put_number(&mut self, number: Number, value: i32) -> bool {
+        let slot = self.numbers.get_mut(usize::from(number.0));
+        slot.is_some_and(|slot| core::mem::replace(slot, value) != value)
     }
 
     pub(crate) fn stamp(&self, stamp: Stamp) -> u64 {

@@ -8,11 +8,11 @@ mod expression;
 mod place;
 mod rows;
 
-pub use expression::{Code, Condition, Edge, Op, Term, Unit, Watch};
+pub use expression::{Code, Condition, Edge, Op, Preset, Rest, Term, Timer, Unit, Watch};
 pub use place::{Bit, Number, Run, Slot, Stamp};
 pub use rows::{
-    Assignment, Dependent, Enclosing, Event, Forced, Graph, Macro, Momentary, NumberRow, Order,
-    Retained, Step, Stored, Transition,
+    Arm, Assignment, Dependent, Duties, Enclosing, Event, Forced, Graph, Macro, Momentary,
+    NumberRow, Order, Retained, Step, Stored, Target, Transition,
 };
 
 /// How a program evolves within a scan.
@@ -50,6 +50,10 @@ pub struct Layout {
     pub stack: u16,
     /// Words with one bit for each transition.
     pub fired: u16,
+    /// Words with one bit for each transition that fired in an earlier round; none unless it evolves `stable`.
+    pub passed: u16,
+    /// Graphs whose standing in the hierarchy is kept; none when no graph forces or encloses another.
+    pub standings: u16,
 }
 
 impl Layout {
@@ -78,28 +82,38 @@ pub struct Program<'a> {
     pub graphs: &'a [Graph],
     /// Indices of the graphs in the order of phase 4: superiors first.
     pub hierarchy: &'a [u16],
+    /// For each word of [`Layout::situations`], the row of the step that is its lowest bit.
+    pub bases: &'a [u16],
     /// The steps of all graphs.
     pub steps: &'a [Step],
+    /// What steps do beside momentary actions; row 0 does nothing.
+    pub duties: &'a [Duties],
     /// Macro steps, inner ones before outer ones.
     pub macros: &'a [Macro],
     /// The transitions of all graphs.
     pub transitions: &'a [Transition],
-    /// Runs of bits: entrances and exits of transitions, variables of momentary statements.
+    /// Runs of bits: entrances and exits of transitions.
     pub links: &'a [Bit],
-    /// Indices of transitions: those of each step, those of each graph without entrance.
-    pub armed_by: &'a [u16],
+    /// Transitions: those that each step arms first, those of each graph without entrance.
+    pub arms: &'a [Arm],
     /// Words of situations; a situation has as many as its graph.
     pub situations: &'a [u32],
     /// Steps that enclose graphs, for each enclosed graph in source order.
     pub enclosings: &'a [Enclosing],
     /// Forcing statements.
     pub orders: &'a [Order],
+    /// Graphs that have transitions without entrance steps.
+    pub sources: &'a [u16],
+    /// Whether a step has stored statements without `on`.
+    pub lasting_in_steps: bool,
     /// Stored statements.
     pub stored: &'a [Stored],
     /// `on event` statements.
     pub events: &'a [Event],
     /// Rows of `stored`: those of stand-alone actions.
     pub always_stored: Run,
+    /// Variables of momentary statements.
+    pub targets: &'a [Target],
     /// Momentary statements that depend on no momentary variable.
     pub momentary: &'a [Momentary],
     /// Rows of `momentary`: those of stand-alone actions.
@@ -116,6 +130,10 @@ pub struct Program<'a> {
     pub action_watches: Run,
     /// Conjunctions.
     pub terms: &'a [Term],
+    /// Timers on steps.
+    pub timers: &'a [Timer],
+    /// Where the code of conditions lies.
+    pub codes: &'a [Code],
     /// Postfix code.
     pub ops: &'a [Op],
     /// Numbers with first values and limits.

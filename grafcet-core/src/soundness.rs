@@ -9,7 +9,7 @@ mod code;
 mod rows;
 
 use crate::memory::Storage;
-use crate::program::{Bit, Graph, Number, Program, Run, Slot, Stamp};
+use crate::program::{Bit, Evolution, Graph, Number, Program, Run, Slot, Stamp};
 
 /// The first table that breaks its promise.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -30,8 +30,14 @@ pub enum Unsound {
     Macros,
     /// A transition joins what is no step of its graph, or points outside a table.
     Transitions,
-    /// A row names a transition that is not there.
-    ArmedBy,
+    /// A timer waits for what is not there.
+    Timers,
+    /// The code of a condition is cut off, takes what is not there or needs more stack than there is.
+    Codes,
+    /// An arm names a transition or a term that is not there.
+    Arms,
+    /// What a step does beside momentary actions points outside a table.
+    Duties,
     /// A bit that is linked lies outside the image.
     Links,
     /// An enclosing step is none, or its set is no set of steps of the graph.
@@ -63,7 +69,10 @@ impl Unsound {
             Unsound::Steps => "the table of steps is unsound",
             Unsound::Macros => "the table of macro steps is unsound",
             Unsound::Transitions => "the table of transitions is unsound",
-            Unsound::ArmedBy => "the table of armed transitions is unsound",
+            Unsound::Timers => "the table of timers on steps is unsound",
+            Unsound::Codes => "the code of the conditions is unsound",
+            Unsound::Arms => "the table of armed transitions is unsound",
+            Unsound::Duties => "the table of what steps do is unsound",
             Unsound::Links => "the table of links is unsound",
             Unsound::Enclosings => "the table of enclosings is unsound",
             Unsound::Orders => "the table of forcing orders is unsound",
@@ -85,14 +94,15 @@ impl Unsound {
 /// # use grafcet_core::soundness::demand;
 /// # const LAYOUT: Layout = Layout {
 /// #     words: 1, inputs: Run::EMPTY, situations: Run::EMPTY, macros: Run::EMPTY, momentary: Run::EMPTY,
-/// #     number_inputs: Run::EMPTY, outside: Run::EMPTY, numbers: 0, stamps: 0, stack: 0, fired: 0,
+/// #     number_inputs: Run::EMPTY, outside: Run::EMPTY, numbers: 0, stamps: 0, stack: 0, fired: 0, passed: 0, standings: 0,
 /// # };
 /// # const EMPTY: Program<'static> = Program {
 /// #     period_ms: 10, evolution: Evolution::Scan, fingerprint: 0, layout: LAYOUT, graphs: &[], hierarchy: &[],
-/// #     steps: &[], macros: &[], transitions: &[], links: &[], armed_by: &[], situations: &[], enclosings: &[],
-/// #     orders: &[], stored: &[], events: &[], always_stored: Run::EMPTY, momentary: &[],
-/// #     always_momentary: Run::EMPTY, dependent: &[], watches: &[], trigger_watches: Run::EMPTY,
-/// #     round_watches: Run::EMPTY, action_watches: Run::EMPTY, terms: &[], ops: &[], numbers: &[],
+/// #     bases: &[], steps: &[], duties: &[], macros: &[], transitions: &[], links: &[], arms: &[],
+/// #     situations: &[], enclosings: &[], orders: &[], sources: &[], lasting_in_steps: false, stored: &[],
+/// #     events: &[], always_stored: Run::EMPTY, targets: &[], momentary: &[], always_momentary: Run::EMPTY,
+/// #     dependent: &[], watches: &[], trigger_watches: Run::EMPTY, round_watches: Run::EMPTY,
+/// #     action_watches: Run::EMPTY, terms: &[], timers: &[], codes: &[], ops: &[], numbers: &[],
 /// #     initially_true: &[], retained: &[],
 /// # };
 /// static PROGRAM: Program<'static> = Program { hierarchy: &[], ..EMPTY };
@@ -106,14 +116,15 @@ impl Unsound {
 /// # use grafcet_core::soundness::demand;
 /// # const LAYOUT: Layout = Layout {
 /// #     words: 1, inputs: Run::EMPTY, situations: Run::EMPTY, macros: Run::EMPTY, momentary: Run::EMPTY,
-/// #     number_inputs: Run::EMPTY, outside: Run::EMPTY, numbers: 0, stamps: 0, stack: 0, fired: 0,
+/// #     number_inputs: Run::EMPTY, outside: Run::EMPTY, numbers: 0, stamps: 0, stack: 0, fired: 0, passed: 0, standings: 0,
 /// # };
 /// # const EMPTY: Program<'static> = Program {
 /// #     period_ms: 10, evolution: Evolution::Scan, fingerprint: 0, layout: LAYOUT, graphs: &[], hierarchy: &[],
-/// #     steps: &[], macros: &[], transitions: &[], links: &[], armed_by: &[], situations: &[], enclosings: &[],
-/// #     orders: &[], stored: &[], events: &[], always_stored: Run::EMPTY, momentary: &[],
-/// #     always_momentary: Run::EMPTY, dependent: &[], watches: &[], trigger_watches: Run::EMPTY,
-/// #     round_watches: Run::EMPTY, action_watches: Run::EMPTY, terms: &[], ops: &[], numbers: &[],
+/// #     bases: &[], steps: &[], duties: &[], macros: &[], transitions: &[], links: &[], arms: &[],
+/// #     situations: &[], enclosings: &[], orders: &[], sources: &[], lasting_in_steps: false, stored: &[],
+/// #     events: &[], always_stored: Run::EMPTY, targets: &[], momentary: &[], always_momentary: Run::EMPTY,
+/// #     dependent: &[], watches: &[], trigger_watches: Run::EMPTY, round_watches: Run::EMPTY,
+/// #     action_watches: Run::EMPTY, terms: &[], timers: &[], codes: &[], ops: &[], numbers: &[],
 /// #     initially_true: &[], retained: &[],
 /// # };
 /// static PROGRAM: Program<'static> = Program { hierarchy: &[0], ..EMPTY };
@@ -135,8 +146,9 @@ impl<
     const STAMPS: usize,
     const STACK: usize,
     const FIRED: usize,
-    const GRAPHS: usize,
-> Storage<WORDS, NUMBERS, SITUATION_WORDS, STAMPS, STACK, FIRED, GRAPHS>
+    const PASSED: usize,
+    const STANDINGS: usize,
+> Storage<WORDS, NUMBERS, SITUATION_WORDS, STAMPS, STACK, FIRED, PASSED, STANDINGS>
 {
     /// True when the memory has exactly the places that the program's layout asks for.
     #[must_use]
@@ -148,7 +160,8 @@ impl<
             && STAMPS == layout.stamps as usize
             && STACK == layout.stack as usize
             && FIRED == layout.fired as usize
-            && GRAPHS == program.graphs.len()
+            && PASSED == layout.passed as usize
+            && STANDINGS == layout.standings as usize
     }
 }
 
@@ -170,14 +183,20 @@ impl Program<'_> {
             Some(Unsound::Numbers)
         } else if !self.terms_are_sound() {
             Some(Unsound::Terms)
+        } else if !self.timers_are_sound() {
+            Some(Unsound::Timers)
+        } else if !self.codes_are_sound() {
+            Some(Unsound::Codes)
         } else if !self.links_are_sound() {
             Some(Unsound::Links)
         } else if !self.graphs_are_sound() {
             Some(Unsound::Graphs)
         } else if !self.hierarchy_is_sound() {
             Some(Unsound::Hierarchy)
-        } else if !self.armed_by_is_sound() {
-            Some(Unsound::ArmedBy)
+        } else if !self.arms_are_sound() {
+            Some(Unsound::Arms)
+        } else if !self.duties_are_sound() {
+            Some(Unsound::Duties)
         } else if !self.steps_are_sound() {
             Some(Unsound::Steps)
         } else if !self.macros_are_sound() {
@@ -235,6 +254,17 @@ impl Program<'_> {
                 || layout.number_inputs.start > Number::ARITHMETIC_FAULTS.0)
             && layout.outside.len as usize * 32 >= layout.number_inputs.len as usize
             && layout.fired as usize * 32 >= self.transitions.len()
+            && match self.evolution {
+                Evolution::Scan => layout.passed == 0,
+                Evolution::Stable => layout.passed == layout.fired,
+            }
+            && layout.standings as usize
+                == if self.orders.is_empty() && self.enclosings.is_empty() {
+                    0
+                } else {
+                    self.graphs.len()
+                }
+            && self.bases.len() == layout.situations.len as usize
             && self.always_stored.is_within(self.stored.len())
             && self.always_momentary.is_within(self.momentary.len())
             && self.trigger_watches.is_within(self.watches.len())
@@ -245,6 +275,7 @@ impl Program<'_> {
     const fn graphs_are_sound(&self) -> bool {
         let situations = self.layout.situations;
         let (mut steps, mut transitions, mut word) = (0, 0, situations.start as usize);
+        let mut sources = 0;
         let mut i = 0;
         while i < self.graphs.len() {
             let graph = &self.graphs[i];
@@ -254,6 +285,12 @@ impl Program<'_> {
             if !shared_out || !self.graph_is_sound(graph) {
                 return false;
             }
+            if graph.sources.len > 0 {
+                if sources >= self.sources.len() || self.sources[sources] as usize != i {
+                    return false;
+                }
+                sources += 1;
+            }
             steps = graph.steps.end();
             transitions = graph.transitions.end();
             if graph.words.len > 0 {
@@ -262,6 +299,7 @@ impl Program<'_> {
             i += 1;
         }
         steps == self.steps.len()
+            && sources == self.sources.len()
             && transitions == self.transitions.len()
             && word <= situations.end()
     }
@@ -270,13 +308,29 @@ impl Program<'_> {
         graph.words.len as usize * 32 >= graph.steps.len as usize
             && graph.steps.is_within(self.steps.len())
             && graph.transitions.is_within(self.transitions.len())
-            && graph.sources.is_within(self.armed_by.len())
+            && graph.sources.is_within(self.arms.len())
+            && self.bases_are_sound(graph)
             && graph.enclosings.is_within(self.enclosings.len())
             && graph.orders.is_within(self.orders.len())
             && graph.self_orders.is_within(self.orders.len())
             && graph.watches.is_within(self.watches.len())
             && graph.self_watches.is_within(self.watches.len())
             && self.situation_is_sound(graph, graph.initial)
+    }
+
+    /// Whether the words of a graph lead to its own steps.
+    const fn bases_are_sound(&self, graph: &Graph) -> bool {
+        let mut i = 0;
+        while i < graph.words.len as usize {
+            let word = graph.words.start as usize + i - self.layout.situations.start as usize;
+            if word >= self.bases.len()
+                || self.bases[word] as usize != graph.steps.start as usize + i * 32
+            {
+                return false;
+            }
+            i += 1;
+        }
+        true
     }
 
     const fn hierarchy_is_sound(&self) -> bool {

@@ -19,13 +19,34 @@ impl Engine<'_, '_> {
     /// Evaluates watches in their order, so that an inner one is up to date for the one around it.
     pub(crate) fn watch(&mut self, watches: Run, pass: Pass) {
         for watch in watches.of(self.program.watches) {
-            let (value, result) = self.evaluate(watch, pass);
-            self.memory.set_bit(result, value);
+            if let Some((value, result)) = self.evaluate(watch, pass) {
+                self.set_bit(result, value);
+            }
         }
     }
 
-    fn evaluate(&mut self, watch: &Watch, pass: Pass) -> (bool, Bit) {
-        match *watch {
+    /// The value of a watch, and where it belongs; nothing when it has put its results there itself.
+    fn evaluate(&mut self, watch: &Watch, pass: Pass) -> Option<(bool, Bit)> {
+        Some(match watch {
+            Watch::Inputs {
+                word,
+                last,
+                rising,
+                falling,
+            } => {
+                let now = self.memory.word(usize::from(*word));
+                let was = match pass {
+                    Pass::Start => now,
+                    Pass::First | Pass::Later => self.memory.word(usize::from(*last)),
+                };
+                let changed = self.memory.put_word(usize::from(*last), now)
+                    | self.memory.put_word(usize::from(*rising), now & !was)
+                    | self.memory.put_word(usize::from(*falling), was & !now);
+                if changed {
+                    self.note_change();
+                }
+                return None;
+            }
             Watch::Edge {
                 operand,
                 edge,
@@ -35,14 +56,14 @@ impl Engine<'_, '_> {
             } => {
                 let now = self.holds(operand);
                 if pass == Pass::Later {
-                    return (false, result);
+                    return Some((false, *result));
                 }
-                let was = self.exchange(last, now);
+                let was = self.exchange(*last, now);
                 let seen = match edge {
                     Edge::Rising => now && !was,
                     Edge::Falling => was && !now,
                 };
-                (seen && (pass == Pass::First || from_false), result)
+                (seen && (pass == Pass::First || *from_false), *result)
             }
             Watch::Timer {
                 enable,
@@ -53,9 +74,9 @@ impl Engine<'_, '_> {
                 result,
             } => {
                 let enable = self.holds(enable);
-                let preset = self.value_of(preset);
-                let risen = self.follow(enable, last, risen);
-                (self.elapsed(risen, preset, unit), result)
+                let preset = self.value_of(*preset);
+                let risen = self.follow(enable, *last, *risen);
+                (self.elapsed(risen, preset, *unit), *result)
             }
             Watch::OnDelay {
                 enable,
@@ -65,10 +86,10 @@ impl Engine<'_, '_> {
                 result,
             } => {
                 let enable = self.holds(enable);
-                let delay = self.value_of(delay);
-                let risen = self.follow(enable, last, risen);
+                let delay = self.value_of(*delay);
+                let risen = self.follow(enable, *last, *risen);
                 let passed = self.elapsed(risen, delay, Unit::Milliseconds);
-                (enable && passed, result)
+                (enable && passed, *result)
             }
             Watch::OffDelay {
                 on,
@@ -78,8 +99,8 @@ impl Engine<'_, '_> {
                 result,
             } => {
                 let on = self.holds(on);
-                let held = self.hold(on, hold, last, fallen);
-                (on || held, result)
+                let held = self.hold(on, *hold, *last, *fallen);
+                (on || held, *result)
             }
             Watch::Value {
                 condition,
@@ -88,9 +109,9 @@ impl Engine<'_, '_> {
             } => {
                 // Nothing is armed in scan 0, an event no more than a transition.
                 let open = gate.is_none_or(|gate| pass != Pass::Start && self.memory.bit(gate));
-                (open && self.holds(condition), result)
+                (open && self.holds(condition), *result)
             }
-        }
+        })
     }
 
     /// Notes the time when the enable rises, and gives the time of its latest rise.
@@ -98,7 +119,7 @@ impl Engine<'_, '_> {
         if enable && !self.exchange(last, enable) {
             self.memory.set_stamp(risen, self.now_ms);
         } else if !enable {
-            self.memory.set_bit(last, false);
+            self.set_bit(last, false);
         }
         self.memory.stamp(risen)
     }
@@ -116,7 +137,7 @@ impl Engine<'_, '_> {
     /// Stores a memory bit and gives what it was.
     fn exchange(&mut self, last: Bit, now: bool) -> bool {
         let was = self.memory.bit(last);
-        self.memory.set_bit(last, now);
+        self.set_bit(last, now);
         was
     }
 }

@@ -29,10 +29,10 @@ impl Vectors {
             before: vec![0; layout.situation_words()],
             before_scan: vec![0; layout.situation_words()],
             fired: vec![0; fired],
-            passed: vec![0; fired],
+            passed: vec![0; usize::from(layout.passed)],
             stack: vec![0; usize::from(layout.stack)],
             stamps: vec![0; usize::from(layout.stamps)],
-            standings: vec![Standing::FREE; program.graphs.len()],
+            standings: vec![Standing::FREE; usize::from(layout.standings)],
         }
     }
 

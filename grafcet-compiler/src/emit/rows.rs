@@ -1,9 +1,9 @@
 //! Rows and tables as Rust expressions.
 
 use grafcet_core::program::{
-    Assignment, Bit, Code, Condition, Dependent, Edge, Enclosing, Event, Evolution, Forced, Graph,
-    Layout, Macro, Momentary, Number, NumberRow, Op, Order, Retained, Run, Slot, Stamp, Step,
-    Stored, Term, Transition, Unit, Watch,
+    Arm, Assignment, Bit, Code, Condition, Dependent, Duties, Edge, Enclosing, Event, Evolution,
+    Forced, Graph, Layout, Macro, Momentary, Number, NumberRow, Op, Order, Preset, Rest, Retained,
+    Run, Slot, Stamp, Step, Stored, Target, Term, Timer, Transition, Unit, Watch,
 };
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
@@ -31,28 +31,32 @@ macro_rules! structs {
 
 structs! {
     Tables => Program {
-        period_ms evolution fingerprint layout graphs hierarchy steps macros transitions links armed_by situations
-        enclosings orders stored events always_stored momentary always_momentary dependent watches trigger_watches
-        round_watches action_watches terms ops numbers initially_true retained
+        period_ms evolution fingerprint layout graphs hierarchy bases steps duties macros transitions links arms
+        situations enclosings orders sources lasting_in_steps stored events always_stored targets momentary
+        always_momentary dependent watches trigger_watches round_watches action_watches terms timers codes ops numbers
+        initially_true retained
     }
     Layout => Layout {
-        words inputs situations macros momentary number_inputs outside numbers stamps stack fired
+        words inputs situations macros momentary number_inputs outside numbers stamps stack fired passed
+        standings
     }
     Graph => Graph {
         steps words transitions sources initial enclosings orders self_orders watches self_watches
     }
-    Step => Step {
-        transitions momentary stored on_activation on_deactivation on_event orders activated
-    }
+    Step => Step { arms momentary duties }
+    Duties => Duties { stored on_activation on_deactivation on_event orders activated }
+    Arm => Arm { first transition }
     Macro => Macro { bit graph steps activated }
-    Transition => Transition { entrance exit trigger actions }
+    Transition => Transition { entrance exit fires actions }
     Enclosing => Enclosing { step situation at_start }
     Order => Order { graph rank situation condition }
     Stored => Stored { assignment condition }
     Event => Event { event stored }
     Momentary => Momentary { targets condition }
     Dependent => Dependent { owner statement }
+    Target => Target { word mask }
     Term => Term { word mask state }
+    Timer => Timer { step activated preset }
     NumberRow => NumberRow { initial min max }
     Retained => Retained { slot key }
     Code => Code { start len }
@@ -162,15 +166,36 @@ impl Row for Slot {
 
 impl Row for Condition {
     fn literal(&self) -> TokenStream {
+        if *self == Condition::ALWAYS {
+            return quote!(Condition::ALWAYS);
+        }
+        let (terms, rest) = (self.terms.literal(), self.rest.literal());
+        quote!(Condition { terms: #terms, rest: #rest })
+    }
+}
+
+impl Row for Rest {
+    fn literal(&self) -> TokenStream {
+        let (variant, row) = match self {
+            Rest::None => return quote!(Rest::None),
+            Rest::Elapsed(row) => (quote!(Elapsed), row.literal()),
+            Rest::Running(row) => (quote!(Running), row.literal()),
+            Rest::Code(row) => (quote!(Code), row.literal()),
+        };
+        quote!(Rest::#variant(#row))
+    }
+}
+
+impl Row for Preset {
+    fn literal(&self) -> TokenStream {
         match self {
-            Condition::Always => quote!(Condition::Always),
-            Condition::All(terms) => {
-                let terms = terms.literal();
-                quote!(Condition::All(#terms))
+            Preset::Constant(ms) => {
+                let ms = ms.literal();
+                quote!(Preset::Constant(#ms))
             }
-            Condition::Code(code) => {
-                let code = code.literal();
-                quote!(Condition::Code(#code))
+            Preset::Number(number, unit) => {
+                let (number, unit) = (number.literal(), unit.literal());
+                quote!(Preset::Number(#number, #unit))
             }
         }
     }
@@ -215,6 +240,8 @@ impl Row for Watch {
     #[rustfmt::skip]
     fn literal(&self) -> TokenStream {
         match self {
+            Watch::Inputs { word, last, rising, falling } =>
+                variant!(Watch::Inputs { word, last, rising, falling }),
             Watch::Edge { operand, edge, last, result, from_false } =>
                 variant!(Watch::Edge { operand, edge, last, result, from_false }),
             Watch::Timer { enable, preset, unit, last, risen, result } =>

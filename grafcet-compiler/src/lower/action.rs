@@ -1,9 +1,14 @@
 //! Actions: stored and momentary statements, in the order in which they run.
 
-use grafcet_core::program::{Assignment, Dependent, Event, Momentary, Run, Slot, Stored};
+use std::collections::BTreeMap;
+
+use grafcet_core::program::{
+    Assignment, Dependent, Event, Momentary, Run, Slot, Stored, Target,
+};
 
 use super::atoms::Atom;
 use super::graph::{StepRuns, since};
+use super::limits::index;
 use super::unit::Lowering;
 use super::watch::Context;
 use crate::model::{self, Causality, StepId};
@@ -131,11 +136,14 @@ impl Lowering<'_> {
     }
 
     fn momentary(&mut self, statement: &model::Momentary) -> Momentary {
-        let start = self.rows.links.len();
-        let targets = statement.targets.iter();
-        let bits = targets.map(|target| self.places.bit(Atom::Variable(target.variable)));
-        self.rows.links.extend(bits);
-        let targets = since(&self.rows.links, start);
+        let mut words: BTreeMap<u16, u32> = BTreeMap::new();
+        for target in &statement.targets {
+            let bit = self.places.bit(Atom::Variable(target.variable));
+            *words.entry(index(bit.word())).or_default() |= bit.mask();
+        }
+        let targets = words.into_iter();
+        let targets = targets.map(|(word, mask)| Target { word, mask });
+        let targets = self.pool.targets.run(targets.collect());
         Momentary {
             targets,
             condition: self.optional(statement.condition.as_ref(), Context::Action),

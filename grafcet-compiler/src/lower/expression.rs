@@ -21,7 +21,7 @@ impl Lowering<'_> {
 
     /// The condition behind an `IF` that may be missing.
     pub fn optional(&mut self, condition: Option<&Expression>, context: Context) -> Condition {
-        condition.map_or(Condition::Always, |condition| {
+        condition.map_or(Condition::ALWAYS, |condition| {
             self.condition(condition, context)
         })
     }
@@ -116,7 +116,16 @@ impl Lowering<'_> {
     fn edge(&mut self, edge: Edge, operand: &Expression, context: Context) -> Node {
         let lone_step = operand.is_step() && edge == Edge::Rising;
         let from_false = lone_step && context != Context::Trigger && self.kind != Kind::Observer;
-        let operand = self.condition(operand, context);
+        let node = self.node(operand, context);
+        if let Node::Bit(input) = node
+            && self.has_input_edges(input)
+        {
+            let bit = self
+                .watches
+                .input_edge(input, edge, &mut self.memories);
+            return Node::Bit(bit);
+        }
+        let operand = self.pool.condition(&node, operand.span);
         Node::Bit(self.watch(
             context,
             Watch::Edge {
@@ -127,6 +136,12 @@ impl Lowering<'_> {
                 from_false,
             },
         ))
+    }
+
+    /// Whether the edges of a bit are the same in all phases of a scan, so that its whole word can be watched at once.
+    fn has_input_edges(&self, bit: Bit) -> bool {
+        let inputs = self.places.layout.inputs.indices();
+        self.kind == Kind::Graphs && !self.model.stable && inputs.contains(&bit.word())
     }
 
     fn timer(&mut self, enable: &Expression, preset: &Expression, context: Context) -> Node {

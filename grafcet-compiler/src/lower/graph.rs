@@ -2,10 +2,14 @@
 
 use std::collections::BTreeMap;
 
-use grafcet_core::program::{Enclosing, Forced, Graph, Macro, Order, Run, Stamp, Step, Transition};
+use grafcet_core::program::{
+    Arm, Duties, Enclosing, Forced, Graph, Macro, Order, Run, Stamp, Step, Transition,
+};
 
 use super::atoms::Atom;
 use super::limits::index;
+use super::node::Node;
+use super::pool::{NO_TERM, Shared};
 use super::unit::Lowering;
 use super::watch::Context;
 use crate::model::{self, GraphId, Hierarchy, Situation, StepId, TransitionId, Trigger};
@@ -33,8 +37,12 @@ pub(super) struct Structure {
     pub graphs: Vec<Graph>,
     pub hierarchy: Vec<u16>,
     pub steps: Vec<Step>,
+    pub duties: Vec<Duties>,
+    pub bases: Vec<u16>,
     pub macros: Vec<Macro>,
-    pub armed_by: Vec<u16>,
+    pub arms: Vec<Arm>,
+    /// Graphs with transitions without entrance steps.
+    pub sources: Vec<u16>,
 }
 
 /// Rows added to a table since it had a length.
@@ -60,15 +68,21 @@ impl Lowering<'_> {
         let transition = &self.model[id];
         let entrance = self.link(&transition.entrance);
         let exit = self.link(&transition.exit);
-        let trigger = match &transition.trigger {
-            Trigger::Always | Trigger::Unknown => grafcet_core::program::Condition::Always,
-            Trigger::Expression(expression) => self.condition(expression, Context::Trigger),
+        let (node, span) = match &transition.trigger {
+            Trigger::Always | Trigger::Unknown => (Node::Constant(1), self.model.span),
+            Trigger::Expression(trigger) => (self.node(trigger, Context::Trigger), trigger.span),
         };
+        let others = transition.entrance.iter().skip(1);
+        let others: Vec<_> = others
+            .map(|step| self.places.bit(Atom::Step(*step)))
+            .collect();
+        let fires = self.pool.headed(&others, &node, span);
+        self.rows.firsts.push(fires.first);
         let actions = self.stored(&transition.action.stored, self.change());
         Transition {
             entrance,
             exit,
-            trigger,
+            fires: fires.condition,
             actions,
         }
     }
@@ -227,9 +241,14 @@ impl Lowering<'_> {
             graphs: Vec::with_capacity(graphs.len()),
             hierarchy: self.hierarchy(),
             steps: Vec::with_capacity(self.rows.steps.len()),
+            duties: Vec::new(),
+            bases: Vec::new(),
             macros: Vec::new(),
-            armed_by: Vec::new(),
+            arms: Vec::new(),
+            sources: Vec::new(),
         };
+        let mut duties = Shared::default();
+        duties.row(duties_of(&StepRuns::default(), None));
         for (row, &id) in graphs.iter().enumerate() {
             let graph = &model[id];
             let (armed, sources) = armed_by(model, id, first_transition);
@@ -240,29 +259,33 @@ impl Lowering<'_> {
                     .get(step.0 - first_step)
                     .copied()
                     .unwrap_or_default();
-                let start = structure.armed_by.len();
-                structure
-                    .armed_by
-                    .extend(armed.get(&step).into_iter().flatten());
+                let start = structure.arms.len();
+                let armed = armed.get(&step).into_iter().flatten();
+                structure.arms.extend(armed.map(|row| self.arm(*row)));
+                let activated = activations.get(&Atom::Step(step)).copied();
                 structure.steps.push(Step {
-                    transitions: since(&structure.armed_by, start),
+                    arms: since(&structure.arms, start),
                     momentary: runs.momentary,
-                    stored: runs.stored,
-                    on_activation: runs.on_activation,
-                    on_deactivation: runs.on_deactivation,
-                    on_event: runs.on_event,
-                    orders: runs.orders,
-                    activated: activations.get(&Atom::Step(step)).copied(),
+                    duties: duties.row(duties_of(&runs, activated)),
                 });
             }
-            let start = structure.armed_by.len();
-            structure.armed_by.extend(sources);
+            let start = structure.arms.len();
+            if !sources.is_empty() {
+                structure.sources.push(index(row));
+            }
+            structure
+                .arms
+                .extend(sources.iter().map(|row| self.arm(*row)));
+            let words = graph.steps.clone().step_by(32);
+            structure
+                .bases
+                .extend(words.map(|step| index(step - first_step)));
             let orders = orders.get(row).copied().unwrap_or_default();
             structure.graphs.push(Graph {
                 steps: rows(graph.steps.clone(), first_step),
                 words: self.places.situations.get(row).copied().unwrap_or_default(),
                 transitions: rows(graph.transitions.clone(), first_transition),
-                sources: since(&structure.armed_by, start),
+                sources: since(&structure.arms, start),
                 initial: self.situation_row(id, &Situation::Initial),
                 enclosings: enclosings.get(row).copied().unwrap_or_default(),
                 orders: orders.others,
@@ -280,7 +303,16 @@ impl Lowering<'_> {
                     activated: activations.get(&Atom::Macro(id)).copied(),
                 }));
         }
+        structure.duties = duties.rows;
         structure
+    }
+
+    fn arm(&self, transition: u16) -> Arm {
+        let first = self.rows.firsts.get(usize::from(transition));
+        Arm {
+            first: first.copied().unwrap_or(NO_TERM),
+            transition,
+        }
     }
 
     fn hierarchy(&self) -> Vec<u16> {
@@ -289,6 +321,17 @@ impl Lowering<'_> {
             .into_iter()
             .map(|graph| index(self.graph_row(graph)))
             .collect()
+    }
+}
+
+fn duties_of(runs: &StepRuns, activated: Option<Stamp>) -> Duties {
+    Duties {
+        stored: runs.stored,
+        on_activation: runs.on_activation,
+        on_deactivation: runs.on_deactivation,
+        on_event: runs.on_event,
+        orders: runs.orders,
+        activated,
     }
 }
 

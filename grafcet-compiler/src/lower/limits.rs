@@ -25,7 +25,7 @@ pub(super) fn check(tables: &Tables, bits: usize, stamps: usize, whole: Span) ->
         (tables.graphs.len(), "graphs"),
         (
             tables.links.len(),
-            "entrances and exits of transitions and variables of momentary statements",
+            "entrances and exits of transitions",
         ),
         (
             tables.situations.len(),
@@ -41,7 +41,10 @@ pub(super) fn check(tables: &Tables, bits: usize, stamps: usize, whole: Span) ->
             "momentary statements that depend on others",
         ),
         (tables.watches.len(), "edges and timers"),
+        (tables.targets.len(), "sets of momentary variables"),
         (tables.terms.len(), "conditions"),
+        (tables.timers.len(), "timers on steps"),
+        (tables.codes.len(), "calculated conditions"),
         (tables.numbers.len(), "numbers"),
         (tables.retained.len(), "retained variables"),
     ];

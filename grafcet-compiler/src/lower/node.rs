@@ -81,40 +81,44 @@ impl Node {
         }
     }
 
-    /// The node as a conjunction of literals, if it is one.
-    pub fn literals(&self) -> Option<Vec<(Bit, bool)>> {
-        let mut literals = Vec::new();
-        self.conjunction(true, &mut literals).then_some(literals)
+    /// The operands of the conjunction that the node is: literals, and what is none.
+    pub fn conjuncts(&self) -> Conjuncts {
+        let mut conjuncts = Conjuncts::default();
+        self.split(true, &mut conjuncts);
+        conjuncts
     }
 
-    fn conjunction(&self, positive: bool, into: &mut Vec<(Bit, bool)>) -> bool {
+    fn split(&self, positive: bool, into: &mut Conjuncts) {
         match self {
-            Node::Bit(bit) => {
-                into.push((*bit, positive));
-                true
+            Node::Bit(bit) => into.literals.push((*bit, positive)),
+            Node::Constant(value) if (*value != 0) == positive => {}
+            Node::Not(inner) => inner.split(!positive, into),
+            Node::Situation(steps) if positive => into.literals.extend(steps),
+            Node::Situation(steps) if steps.len() == 1 => {
+                into.literals
+                    .extend(steps.iter().map(|(bit, value)| (*bit, !value)));
             }
-            Node::Constant(value) => (*value != 0) == positive,
-            Node::Not(inner) => inner.conjunction(!positive, into),
-            Node::Situation(steps) if positive => {
-                into.extend(steps);
-                true
-            }
-            Node::Situation(steps) => match steps.as_slice() {
-                [(bit, value)] => {
-                    into.push((*bit, !value));
-                    true
-                }
-                _ => false,
-            },
             Node::Binary(Binary::And, left, right) if positive => {
-                left.conjunction(true, into) && right.conjunction(true, into)
+                left.split(true, into);
+                right.split(true, into);
             }
             Node::Binary(Binary::Or, left, right) if !positive => {
-                left.conjunction(false, into) && right.conjunction(false, into)
+                left.split(false, into);
+                right.split(false, into);
             }
-            _ => false,
+            node if positive => into.others.push(node.clone()),
+            node => into.others.push(node.clone().not()),
         }
     }
+}
+
+/// The operands of a conjunction.
+#[derive(Default)]
+pub(super) struct Conjuncts {
+    /// Bits, and how they must stand.
+    pub literals: Vec<(Bit, bool)>,
+    /// Everything else.
+    pub others: Vec<Node>,
 }
 
 /// A Boolean operator on a constant and something else.
@@ -144,15 +148,16 @@ mod tests {
     #[test]
     fn a_negated_disjunction_is_a_conjunction() {
         let node = Node::binary(Binary::Or, bit(1), bit(2).not(), true).not();
-        assert_eq!(node.literals(), Some(vec![(Bit(1), false), (Bit(2), true)]));
+        let conjuncts = node.conjuncts();
+        assert_eq!(conjuncts.literals, [(Bit(1), false), (Bit(2), true)]);
+        assert_eq!(conjuncts.others.len(), 0);
     }
 
     #[test]
     fn a_disjunction_is_no_conjunction() {
-        assert_eq!(
-            Node::binary(Binary::Or, bit(1), bit(2), true).literals(),
-            None
-        );
+        let conjuncts = Node::binary(Binary::Or, bit(1), bit(2), true).conjuncts();
+        assert_eq!(conjuncts.literals, []);
+        assert_eq!(conjuncts.others.len(), 1);
     }
 
     #[test]

@@ -1,8 +1,11 @@
-//! Conditions and code: the tables of terms and operations, in which equal ones share their rows.
+//! Conditions and code: tables in which equal rows are shared.
 
 use std::collections::{BTreeMap, HashMap};
+use std::hash::Hash;
 
-use grafcet_core::program::{Bit, Code, Condition, Op, Run, Term, Watch};
+use grafcet_core::program::{
+    Bit, Code, Condition, Op, Preset, Rest, Run, Target, Term, Timer, Unit, Watch,
+};
 
 use super::limits::{self, index};
 use super::node::Node;
@@ -13,35 +16,147 @@ use crate::source::Span;
 /// Terms and operations.
 #[derive(Default)]
 pub(super) struct Pool {
-    pub terms: Vec<Term>,
+    pub terms: Shared<Term>,
+    pub targets: Shared<Target>,
+    pub timers: Shared<Timer>,
+    pub codes: Shared<Code>,
     pub ops: Vec<Op>,
     /// Depth of the stack that the deepest code needs.
     pub stack: usize,
     /// Expressions that are too long.
     pub too_long: Vec<Diagnostic>,
-    known_terms: HashMap<Vec<Term>, Run>,
     known_ops: HashMap<Vec<Op>, Code>,
 }
+
+/// A table in which a run of rows that is asked for again is found again.
+pub(super) struct Shared<T> {
+    pub rows: Vec<T>,
+    known: HashMap<Vec<T>, Run>,
+}
+
+impl<T> Default for Shared<T> {
+    fn default() -> Self {
+        Shared {
+            rows: Vec::new(),
+            known: HashMap::new(),
+        }
+    }
+}
+
+impl<T: Clone + Eq + Hash> Shared<T> {
+    /// Where these rows stand one behind the other.
+    pub fn run(&mut self, rows: Vec<T>) -> Run {
+        if rows.is_empty() {
+            return Run::EMPTY;
+        }
+        if let Some(run) = self.known.get(&rows) {
+            return *run;
+        }
+        let run = Run {
+            start: index(self.rows.len()),
+            len: index(rows.len()),
+        };
+        self.rows.extend(rows.iter().cloned());
+        self.known.insert(rows, run);
+        run
+    }
+
+    /// Where this row stands.
+    pub fn row(&mut self, row: T) -> u16 {
+        self.run(vec![row]).start
+    }
+}
+
+/// A condition whose first term stands apart.
+pub(super) struct Headed {
+    pub first: Term,
+    pub condition: Condition,
+}
+
+/// What always holds, as a term.
+pub(super) const NO_TERM: Term = Term {
+    word: 0,
+    mask: 0,
+    state: 0,
+};
 
 impl Pool {
     /// When a Boolean holds.
     pub fn condition(&mut self, node: &Node, span: Span) -> Condition {
-        match node.literals().map(|literals| merged(&literals)) {
-            Some(Some(terms)) if terms.is_empty() => Condition::Always,
-            Some(Some(terms)) => Condition::All(self.run(terms)),
+        let (terms, rest) = self.conjunction(&[], node, span);
+        Condition {
+            terms: self.terms.run(terms),
+            rest,
+        }
+    }
+
+    /// When a Boolean holds and all these bits are True; whether they are is looked at first.
+    pub fn headed(&mut self, bits: &[Bit], node: &Node, span: Span) -> Headed {
+        let (mut terms, rest) = self.conjunction(bits, node, span);
+        let first = if terms.is_empty() {
+            NO_TERM
+        } else {
+            terms.remove(0)
+        };
+        let condition = Condition {
+            terms: self.terms.run(terms),
+            rest,
+        };
+        Headed { first, condition }
+    }
+
+    fn conjunction(&mut self, bits: &[Bit], node: &Node, span: Span) -> (Vec<Term>, Rest) {
+        let mut literals: Vec<(Bit, bool)> = bits.iter().map(|bit| (*bit, true)).collect();
+        // What can fault is evaluated whole, whatever its other operands are.
+        let others = if node.can_fault() {
+            vec![node.clone()]
+        } else {
+            let mut conjuncts = node.conjuncts();
+            literals.append(&mut conjuncts.literals);
+            conjuncts.others
+        };
+        match merged(&literals) {
+            Some(terms) => (terms, self.rest(others, span)),
             // `a AND NOT a`.
-            Some(None) => Condition::Code(self.code(&Node::Constant(0), span)),
-            None => Condition::Code(self.code(node, span)),
+            None => (Vec::new(), self.rest(vec![Node::Constant(0)], span)),
+        }
+    }
+
+    fn rest(&mut self, others: Vec<Node>, span: Span) -> Rest {
+        if let [only] = others.as_slice() {
+            let (node, negated) = match only {
+                Node::Not(inner) => (inner.as_ref(), true),
+                node => (node, false),
+            };
+            if let Some(timer) = timer(node) {
+                let row = self.timers.row(timer);
+                return if negated {
+                    Rest::Running(row)
+                } else {
+                    Rest::Elapsed(row)
+                };
+            }
+        }
+        let all = others
+            .into_iter()
+            .reduce(|left, right| Node::Binary(Binary::And, Box::new(left), Box::new(right)));
+        match all {
+            None => Rest::None,
+            Some(node) => {
+                let code = self.code(&node, span);
+                Rest::Code(self.codes.row(code))
+            }
         }
     }
 
     /// Whether evaluating the operands of a watch can count an arithmetic fault.
     pub fn can_fault(&self, watch: &Watch) -> bool {
-        let of = |condition: &Condition| match condition {
-            Condition::Code(code) => Some(*code),
-            Condition::Always | Condition::All(_) => None,
+        let of = |condition: &Condition| match condition.rest {
+            Rest::Code(code) => self.codes.rows.get(usize::from(code)).copied(),
+            Rest::None | Rest::Elapsed(_) | Rest::Running(_) => None,
         };
         let codes = match watch {
+            Watch::Inputs { .. } => [None, None],
             Watch::Edge { operand, .. } => [of(operand), None],
             Watch::Timer { enable, preset, .. } => [of(enable), Some(*preset)],
             Watch::OnDelay { enable, delay, .. } => [of(enable), Some(*delay)],
@@ -56,19 +171,6 @@ impl Pool {
         let start = code.start as usize;
         let ops = self.ops.get(start..start + usize::from(code.len));
         ops.unwrap_or_default()
-    }
-
-    fn run(&mut self, terms: Vec<Term>) -> Run {
-        if let Some(run) = self.known_terms.get(&terms) {
-            return *run;
-        }
-        let run = Run {
-            start: index(self.terms.len()),
-            len: index(terms.len()),
-        };
-        self.terms.extend(&terms);
-        self.known_terms.insert(terms, run);
-        run
     }
 
     /// Code that leaves a value.
@@ -90,6 +192,29 @@ impl Pool {
         self.known_ops.insert(ops, code);
         code
     }
+}
+
+/// The timer on a step that a node is, unless its preset is calculated.
+fn timer(node: &Node) -> Option<Timer> {
+    let Node::StepTimer {
+        step,
+        activated,
+        unit,
+        preset,
+    } = node
+    else {
+        return None;
+    };
+    let preset = match (preset.as_ref(), unit) {
+        (Node::Constant(ms), Unit::Milliseconds) => Preset::Constant(*ms),
+        (Node::Number(number), unit) => Preset::Number(*number, *unit),
+        _ => return None,
+    };
+    Some(Timer {
+        step: *step,
+        activated: *activated,
+        preset,
+    })
 }
 
 fn can_fault(op: &Op) -> bool {

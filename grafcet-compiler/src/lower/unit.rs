@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use grafcet_core::program::{
-    Bit, Dependent, Enclosing, Event, Evolution, Momentary, Order, Run, Stamp, Stored, Transition,
+    Bit, Dependent, Enclosing, Event, Evolution, Momentary, Order, Run, Stamp, Stored, Term, Transition,
 };
 
 use super::atoms::Atom;
@@ -51,6 +51,8 @@ pub(super) struct Rows {
     pub orders: Vec<Order>,
     pub enclosings: Vec<Enclosing>,
     pub transitions: Vec<Transition>,
+    /// The first term of each transition.
+    pub firsts: Vec<Term>,
     /// What each step does, in the order of the steps.
     pub steps: Vec<StepRuns>,
     pub dependent: Vec<Dependent>,
@@ -141,28 +143,41 @@ impl<'m> Lowering<'m> {
         layout.stamps = index(self.memories.stamps);
         layout.stack = index(self.pool.stack);
         layout.fired = index(self.rows.transitions.len().div_ceil(32));
+        let evolution = match self.kind {
+            Kind::Graphs if self.model.stable => Evolution::Stable,
+            Kind::Graphs | Kind::Observer => Evolution::Scan,
+        };
+        layout.passed = match evolution {
+            Evolution::Scan => 0,
+            Evolution::Stable => layout.fired,
+        };
+        if !self.rows.orders.is_empty() || !self.rows.enclosings.is_empty() {
+            layout.standings = index(structure.graphs.len());
+        }
         let rows = self.rows;
         let mut tables = Tables {
             period_ms: self.model.period_ms,
-            evolution: match self.kind {
-                Kind::Graphs if self.model.stable => Evolution::Stable,
-                Kind::Graphs | Kind::Observer => Evolution::Scan,
-            },
+            evolution,
             fingerprint: 0,
             layout,
             graphs: structure.graphs,
             hierarchy: structure.hierarchy,
+            bases: structure.bases,
             steps: structure.steps,
+            lasting_in_steps: structure.duties.iter().any(|row| row.stored.len > 0),
+            duties: structure.duties,
             macros: structure.macros,
             transitions: rows.transitions,
             links: rows.links,
-            armed_by: structure.armed_by,
+            arms: structure.arms,
+            sources: structure.sources,
             situations: rows.situations,
             enclosings: rows.enclosings,
             orders: rows.orders,
             stored: rows.stored,
             events: rows.events,
             always_stored: rows.always_stored,
+            targets: self.pool.targets.rows,
             momentary: rows.momentary,
             always_momentary: rows.always_momentary,
             dependent: rows.dependent,
@@ -170,7 +185,9 @@ impl<'m> Lowering<'m> {
             trigger_watches: run(Context::Trigger),
             round_watches: run(Context::Round),
             action_watches: run(Context::Action),
-            terms: self.pool.terms,
+            terms: self.pool.terms.rows,
+            timers: self.pool.timers.rows,
+            codes: self.pool.codes.rows,
             ops: self.pool.ops,
             numbers: std::mem::take(&mut self.places.numbers),
             initially_true: std::mem::take(&mut self.places.initially_true),

@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, HashMap};
 
-use grafcet_core::program::{Bit, Run, Stamp, Watch};
+use grafcet_core::program::{Bit, Edge, Run, Stamp, Watch};
 
 use super::limits::index;
 
@@ -25,6 +25,7 @@ pub(super) enum Context {
 #[derive(Default)]
 pub(super) struct Watches {
     lists: BTreeMap<Context, Vec<Watch>>,
+    inputs: BTreeMap<usize, (u16, u16)>,
     known: HashMap<(Context, Watch), Bit>,
 }
 
@@ -38,6 +39,13 @@ impl Memories {
     fn bit(&mut self) -> Bit {
         self.bits += 1;
         Bit(index(self.bits - 1))
+    }
+
+    /// A new word of bits.
+    pub fn word(&mut self) -> u16 {
+        let start = self.bits.next_multiple_of(32);
+        self.bits = start + 32;
+        index(start / 32)
     }
 
     /// A new time stamp.
@@ -71,6 +79,27 @@ impl Watches {
         bit
     }
 
+    /// The bit with an edge of an input, whose whole word is watched in phase 2 for all phases.
+    pub fn input_edge(&mut self, input: Bit, edge: Edge, memories: &mut Memories) -> Bit {
+        let lists = &mut self.lists;
+        let (rising, falling) = *self.inputs.entry(input.word()).or_insert_with(|| {
+            let [last, rising, falling] = [memories.word(), memories.word(), memories.word()];
+            let watch = Watch::Inputs {
+                word: index(input.word()),
+                last,
+                rising,
+                falling,
+            };
+            lists.entry(Context::Trigger).or_default().push(watch);
+            (rising, falling)
+        });
+        let word = match edge {
+            Edge::Rising => rising,
+            Edge::Falling => falling,
+        };
+        Bit(index(usize::from(word) * 32 + usize::from(input.0 % 32)))
+    }
+
     /// All lists as one table, and where each begins.
     pub fn table(self) -> (Vec<Watch>, BTreeMap<Context, Run>) {
         let mut table = Vec::new();
@@ -90,6 +119,8 @@ impl Watches {
 /// Gives a watch its memories.
 fn fill(mut watch: Watch, memories: &mut Memories) -> (Watch, Bit) {
     match &mut watch {
+        // It has its words already.
+        Watch::Inputs { .. } => return (watch, NO_BIT),
         Watch::Edge { last, .. } => *last = memories.bit(),
         Watch::Timer { last, risen, .. } | Watch::OnDelay { last, risen, .. } => {
             *last = memories.bit();
@@ -103,6 +134,7 @@ fn fill(mut watch: Watch, memories: &mut Memories) -> (Watch, Bit) {
     }
     let bit = memories.bit();
     match &mut watch {
+        Watch::Inputs { .. } => {}
         Watch::Edge { result, .. }
         | Watch::Timer { result, .. }
         | Watch::OnDelay { result, .. }

@@ -11,18 +11,60 @@ pub struct Code {
     pub len: u16,
 }
 
-/// When something holds.
+/// When something holds: when all terms hold, and then the rest does.
+///
+/// The terms are a conjunction of literals as mask and state words (the file-based GRAFCET of the documents). What
+/// can fault is never behind a term: it has to be counted whatever the other operands of an `AND` are.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Condition {
-    /// Always.
-    Always,
-    /// When all [`Term`]s of the run hold: a conjunction of literals.
-    All(Run),
-    /// When the code leaves a value other than 0.
-    Code(Code),
+pub struct Condition {
+    /// Rows of [`Program::terms`](super::Program::terms).
+    pub terms: Run,
+    /// What has to hold as well.
+    pub rest: Rest,
 }
 
-/// Part of a conjunction: true when `image[word] & mask == state` (the file-based GRAFCET of the documents).
+impl Condition {
+    /// Always.
+    pub const ALWAYS: Condition = Condition {
+        terms: Run::EMPTY,
+        rest: Rest::None,
+    };
+}
+
+/// What a condition asks for beside its terms.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Rest {
+    /// Nothing.
+    None,
+    /// That the timer in this row of [`Program::timers`](super::Program::timers) has run out.
+    Elapsed(u16),
+    /// That it has not.
+    Running(u16),
+    /// That the code in this row of [`Program::codes`](super::Program::codes) leaves a value other than 0.
+    Code(u16),
+}
+
+/// `T/Xn/preset` for a step (or macro step) bit standing alone.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Timer {
+    /// The step or macro step.
+    pub step: Bit,
+    /// Its time of activation.
+    pub activated: Stamp,
+    /// The time that has to pass.
+    pub preset: Preset,
+}
+
+/// The preset of a step's timer.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Preset {
+    /// So many milliseconds.
+    Constant(i32),
+    /// What a number holds.
+    Number(Number, Unit),
+}
+
+/// Part of a conjunction: true when `image[word] & mask == state`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Term {
     /// Word of the image.
@@ -74,7 +116,8 @@ pub enum Op {
     Greater,
     /// `>=`.
     GreaterOrEqual,
-    /// Pops a preset and pushes `T/Xn/preset` for a step (or macro step) bit standing alone.
+    /// Pops a preset and pushes `T/Xn/preset` for a step (or macro step) bit standing alone, when the preset is
+    /// calculated.
     StepTimer {
         /// The step or macro step.
         step: Bit,
@@ -98,6 +141,17 @@ pub enum Unit {
 /// image, which expressions read like any other. An operator inside another one stands before it in the table.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Watch {
+    /// `↑` and `↓` of all Booleans of one word, inputs, in a program that does not evolve `stable`.
+    Inputs {
+        /// The word of the image that is watched.
+        word: u16,
+        /// The word that remembers the scan before.
+        last: u16,
+        /// The word with the rising edges.
+        rising: u16,
+        /// The word with the falling edges.
+        falling: u16,
+    },
     /// `↑e` or `↓e`.
     Edge {
         /// The Boolean that is watched.

@@ -1,6 +1,6 @@
 //! The rows of the tables: graphs, steps, transitions, orders and statements.
 
-use super::{Bit, Code, Condition, Number, Run, Slot, Stamp};
+use super::{Bit, Code, Condition, Number, Run, Slot, Stamp, Term};
 
 /// A graph: a run of steps, a run of transitions and the words of its situation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -11,7 +11,7 @@ pub struct Graph {
     pub words: Run,
     /// Rows of [`Program::transitions`](super::Program::transitions).
     pub transitions: Run,
-    /// Rows of [`Program::armed_by`](super::Program::armed_by): its transitions without entrance steps.
+    /// Rows of [`Program::arms`](super::Program::arms): its transitions without entrance steps.
     pub sources: Run,
     /// First word in [`Program::situations`](super::Program::situations) of the initial situation.
     pub initial: u16,
@@ -30,10 +30,17 @@ pub struct Graph {
 /// A step: what it arms and what it does.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Step {
-    /// Rows of [`Program::armed_by`](super::Program::armed_by): transitions that have this step as their first entrance step.
-    pub transitions: Run,
+    /// Rows of [`Program::arms`](super::Program::arms): transitions that have this step as their first entrance step.
+    pub arms: Run,
     /// Rows of [`Program::momentary`](super::Program::momentary): statements that depend on no momentary variable.
     pub momentary: Run,
+    /// Row of [`Program::duties`](super::Program::duties): what else it does. Row 0 is that of a step that does nothing else.
+    pub duties: u16,
+}
+
+/// What a step does beside momentary actions.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Duties {
     /// Rows of [`Program::stored`](super::Program::stored): statements without `on`.
     pub stored: Run,
     /// Rows of [`Program::stored`](super::Program::stored): `on activation`.
@@ -61,6 +68,15 @@ pub struct Macro {
     pub activated: Option<Stamp>,
 }
 
+/// A transition as its first entrance step sees it: armed, unless its first term says otherwise.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Arm {
+    /// The first term of all that the transition asks for beside that step.
+    pub first: Term,
+    /// Row of [`Program::transitions`](super::Program::transitions).
+    pub transition: u16,
+}
+
 /// A transition.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Transition {
@@ -68,8 +84,9 @@ pub struct Transition {
     pub entrance: Run,
     /// Rows of [`Program::links`](super::Program::links): exit steps.
     pub exit: Run,
-    /// The trigger.
-    pub trigger: Condition,
+    /// When it fires while its first entrance step is active: the other entrance steps, and the trigger. The terms go
+    /// on behind the one in its [`Arm`].
+    pub fires: Condition,
     /// Rows of [`Program::stored`](super::Program::stored): the `do` block.
     pub actions: Run,
 }
@@ -138,10 +155,19 @@ pub struct Event {
 /// A momentary statement: its variables are True while its owner is active and the condition holds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Momentary {
-    /// Rows of [`Program::links`](super::Program::links): the variables.
+    /// Rows of [`Program::targets`](super::Program::targets): the variables.
     pub targets: Run,
     /// The condition behind `IF`.
     pub condition: Condition,
+}
+
+/// Variables of one word of the image that become True together.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Target {
+    /// Word of the image.
+    pub word: u16,
+    /// Its bits.
+    pub mask: u32,
 }
 
 /// A momentary statement whose condition reads momentary variables of the same scan.

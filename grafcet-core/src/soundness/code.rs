@@ -1,13 +1,12 @@
 //! Conditions, and the stack that their code needs.
 
-use crate::program::{Code, Condition, Op, Program};
+use crate::program::{Code, Condition, Op, Preset, Program, Rest, Term};
 
 impl Program<'_> {
     pub(super) const fn terms_are_sound(&self) -> bool {
         let mut i = 0;
         while i < self.terms.len() {
-            let term = &self.terms[i];
-            if term.word >= self.layout.words || term.state & !term.mask != 0 {
+            if !self.term_is_sound(&self.terms[i]) {
                 return false;
             }
             i += 1;
@@ -15,12 +14,44 @@ impl Program<'_> {
         true
     }
 
+    pub(super) const fn term_is_sound(&self, term: &Term) -> bool {
+        term.word < self.layout.words && term.state & !term.mask == 0
+    }
+
     pub(super) const fn condition_is_sound(&self, condition: Condition) -> bool {
-        match condition {
-            Condition::Always => true,
-            Condition::All(terms) => terms.is_within(self.terms.len()),
-            Condition::Code(code) => self.code_is_sound(code),
+        condition.terms.is_within(self.terms.len())
+            && match condition.rest {
+                Rest::None => true,
+                Rest::Elapsed(timer) | Rest::Running(timer) => (timer as usize) < self.timers.len(),
+                Rest::Code(code) => (code as usize) < self.codes.len(),
+            }
+    }
+
+    pub(super) const fn timers_are_sound(&self) -> bool {
+        let mut i = 0;
+        while i < self.timers.len() {
+            let timer = &self.timers[i];
+            let preset = match timer.preset {
+                Preset::Constant(_) => true,
+                Preset::Number(number, _) => number.0 < self.layout.numbers,
+            };
+            if !preset || !self.bit_is_sound(timer.step) || !self.stamp_is_sound(timer.activated) {
+                return false;
+            }
+            i += 1;
         }
+        true
+    }
+
+    pub(super) const fn codes_are_sound(&self) -> bool {
+        let mut i = 0;
+        while i < self.codes.len() {
+            if !self.code_is_sound(self.codes[i]) {
+                return false;
+            }
+            i += 1;
+        }
+        true
     }
 
     /// Follows the code with nothing but the depth of the stack: it never takes what is not there, never needs more

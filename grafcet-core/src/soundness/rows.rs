@@ -26,10 +26,12 @@ impl Program<'_> {
         true
     }
 
-    pub(super) const fn armed_by_is_sound(&self) -> bool {
+    pub(super) const fn arms_are_sound(&self) -> bool {
         let mut i = 0;
-        while i < self.armed_by.len() {
-            if self.armed_by[i] as usize >= self.transitions.len() {
+        while i < self.arms.len() {
+            let arm = &self.arms[i];
+            if arm.transition as usize >= self.transitions.len() || !self.term_is_sound(&arm.first)
+            {
                 return false;
             }
             i += 1;
@@ -41,14 +43,28 @@ impl Program<'_> {
         let mut i = 0;
         while i < self.steps.len() {
             let step = &self.steps[i];
-            let sound = step.transitions.is_within(self.armed_by.len())
+            let sound = step.arms.is_within(self.arms.len())
                 && step.momentary.is_within(self.momentary.len())
-                && step.stored.is_within(self.stored.len())
-                && step.on_activation.is_within(self.stored.len())
-                && step.on_deactivation.is_within(self.stored.len())
-                && step.on_event.is_within(self.events.len())
-                && step.orders.is_within(self.orders.len())
-                && self.optional_stamp_is_sound(step.activated);
+                && (step.duties as usize) < self.duties.len();
+            if !sound {
+                return false;
+            }
+            i += 1;
+        }
+        true
+    }
+
+    pub(super) const fn duties_are_sound(&self) -> bool {
+        let mut i = 0;
+        while i < self.duties.len() {
+            let row = &self.duties[i];
+            let sound = row.stored.is_within(self.stored.len())
+                && (row.stored.len == 0 || self.lasting_in_steps)
+                && row.on_activation.is_within(self.stored.len())
+                && row.on_deactivation.is_within(self.stored.len())
+                && row.on_event.is_within(self.events.len())
+                && row.orders.is_within(self.orders.len())
+                && self.optional_stamp_is_sound(row.activated);
             if !sound {
                 return false;
             }
@@ -86,7 +102,7 @@ impl Program<'_> {
                 let transition = &self.transitions[i];
                 let sound = self.links_are_steps_of(graph, transition.entrance)
                     && self.links_are_steps_of(graph, transition.exit)
-                    && self.condition_is_sound(transition.trigger)
+                    && self.condition_is_sound(transition.fires)
                     && transition.actions.is_within(self.stored.len());
                 if !sound {
                     return false;
@@ -226,14 +242,14 @@ impl Program<'_> {
     }
 
     const fn statement_is_sound(&self, statement: &Momentary) -> bool {
-        if !statement.targets.is_within(self.links.len())
+        if !statement.targets.is_within(self.targets.len())
             || !self.condition_is_sound(statement.condition)
         {
             return false;
         }
         let mut i = statement.targets.start as usize;
         while i < statement.targets.end() {
-            if !self.layout.momentary.holds(self.links[i].word()) {
+            if !self.layout.momentary.holds(self.targets[i].word as usize) {
                 return false;
             }
             i += 1;
@@ -254,6 +270,20 @@ impl Program<'_> {
 
     const fn watch_is_sound(&self, watch: &Watch) -> bool {
         match *watch {
+            Watch::Inputs {
+                word,
+                last,
+                rising,
+                falling,
+            } => {
+                word < self.layout.words
+                    && self.word_is_stored(last)
+                    && self.word_is_stored(rising)
+                    && self.word_is_stored(falling)
+                    && last != rising
+                    && last != falling
+                    && rising != falling
+            }
             Watch::Edge {
                 operand,
                 last,
@@ -299,6 +329,10 @@ impl Program<'_> {
                 gated && self.condition_is_sound(condition) && self.bit_is_stored(result)
             }
         }
+    }
+
+    const fn word_is_stored(&self, word: u16) -> bool {
+        word < 1 << 11 && self.bit_is_stored(Bit(word << 5 | 31))
     }
 
     const fn memory_is_sound(&self, last: Bit, result: Bit) -> bool {
