@@ -1,7 +1,7 @@
 //! What the compiler hands on: tables for the engine, and what people call the things in them.
 
 use grafcet_core::program::{
-    Arm, Bit, Code, Dependent, Duties, Enclosing, Event, Evolution, Graph, Layout, Macro,
+    Arm, Bit, Code, Dependent, Duties, Edges, Enclosing, Event, Evolution, Graph, Layout, Macro,
     Momentary, NumberRow, Op, Order, Program, Retained, Run, Slot, Step, Stored, Target, Term,
     Timer, Transition, Watch,
 };
@@ -55,6 +55,7 @@ pub struct Tables {
     pub orders: Vec<Order>,
     pub sources: Vec<u16>,
     pub lasting_in_steps: bool,
+    pub stores_on_change: bool,
     pub stored: Vec<Stored>,
     pub events: Vec<Event>,
     pub always_stored: Run,
@@ -62,6 +63,7 @@ pub struct Tables {
     pub momentary: Vec<Momentary>,
     pub always_momentary: Run,
     pub dependent: Vec<Dependent>,
+    pub edges: Vec<Edges>,
     pub watches: Vec<Watch>,
     pub trigger_watches: Run,
     pub round_watches: Run,
@@ -98,6 +100,7 @@ impl Tables {
             orders: &self.orders,
             sources: &self.sources,
             lasting_in_steps: self.lasting_in_steps,
+            stores_on_change: self.stores_on_change,
             stored: &self.stored,
             events: &self.events,
             always_stored: self.always_stored,
@@ -105,6 +108,7 @@ impl Tables {
             momentary: &self.momentary,
             always_momentary: self.always_momentary,
             dependent: &self.dependent,
+            edges: &self.edges,
             watches: &self.watches,
             trigger_watches: self.trigger_watches,
             round_watches: self.round_watches,

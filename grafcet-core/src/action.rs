@@ -1,6 +1,6 @@
 //! Events and actions (`semantics.md`, phases 5 to 7).
 
-use crate::bits::set_bits_of;
+use crate::bits::clear;
 use crate::engine::Engine;
 use crate::program::{Assignment, Dependent, Duties, Momentary, Run, Stored};
 
@@ -20,6 +20,9 @@ enum Steps {
 impl Engine<'_, '_> {
     /// Phase 5: what has just become active is timed from now.
     pub(crate) fn stamp_activations(&mut self) {
+        if self.memory.stamps.is_empty() {
+            return;
+        }
         self.for_each_duty(Steps::Activated, |engine, duties| {
             if let Some(stamp) = duties.activated {
                 engine.memory.set_stamp(stamp, engine.now_ms);
@@ -38,22 +41,27 @@ impl Engine<'_, '_> {
 
     /// Phase 6, the statements that belong to a change: `do`, `on event`, `on deactivation`, `on activation`.
     pub(crate) fn run_changes(&mut self) {
-        self.for_each_fired(|engine, transition| engine.run_stored(transition.actions));
-        if !self.program.events.is_empty() {
+        let program = self.program;
+        if program.stores_on_change {
+            self.for_each_fired(|engine, transition| engine.run_stored(transition.actions));
+        }
+        if !program.events.is_empty() {
             self.for_each_duty(Steps::Before, |engine, duties| {
-                for event in duties.on_event.of(engine.program.events) {
+                for event in duties.on_event.of(program.events) {
                     if engine.memory.bit(event.event) {
                         engine.run_stored(event.stored);
                     }
                 }
             });
         }
-        self.for_each_duty(Steps::Deactivated, |engine, duties| {
-            engine.run_stored(duties.on_deactivation);
-        });
-        self.for_each_duty(Steps::Activated, |engine, duties| {
-            engine.run_stored(duties.on_activation);
-        });
+        if program.stores_on_change {
+            self.for_each_duty(Steps::Deactivated, |engine, duties| {
+                engine.run_stored(duties.on_deactivation);
+            });
+            self.for_each_duty(Steps::Activated, |engine, duties| {
+                engine.run_stored(duties.on_activation);
+            });
+        }
     }
 
     /// Phase 6, the statements without `on`: stand-alone actions, then actions of the active steps.
@@ -70,16 +78,17 @@ impl Engine<'_, '_> {
     pub(crate) fn run_momentary(&mut self) {
         let program = self.program;
         let words = program.layout.momentary.indices();
-        match self.memory.image.get_mut(words) {
-            // Most programs have one, and for one a call to clear memory is long.
-            Some([word]) => *word = 0,
-            Some(words) => words.fill(0),
-            None => {}
+        if let Some(words) = self.memory.image.get_mut(words) {
+            clear(words);
         }
         self.run_momentary_rows(program.always_momentary);
-        for (word, base) in program.layout.situations.indices().zip(program.bases) {
-            for bit in set_bits_of(self.memory.word(word)) {
-                if let Some(step) = program.steps.get(usize::from(*base) + bit) {
+        let first = usize::from(program.layout.situations.start);
+        for (place, base) in program.bases.iter().enumerate() {
+            let mut steps = self.memory.word(first + place);
+            while steps != 0 {
+                let step = usize::from(*base) + steps.trailing_zeros() as usize;
+                steps &= steps - 1;
+                if let Some(step) = program.steps.get(step) {
                     self.run_momentary_rows(step.momentary);
                 }
             }
@@ -92,14 +101,18 @@ impl Engine<'_, '_> {
     }
 
     fn run_momentary_rows(&mut self, rows: Run) {
-        for row in rows.of(self.program.momentary) {
-            self.run_momentary_row(row);
+        if let Some(rows) = rows.some(self.program.momentary) {
+            for row in rows {
+                self.run_momentary_row(row);
+            }
         }
     }
 
     fn run_momentary_row(&mut self, row: &Momentary) {
-        if self.holds(&row.condition) {
-            for target in row.targets.of(self.program.targets) {
+        if self.holds(&row.condition)
+            && let Some(targets) = row.targets.some(self.program.targets)
+        {
+            for target in targets {
                 if let Some(word) = self.memory.image.get_mut(usize::from(target.word)) {
                     *word |= target.mask;
                 }
@@ -108,10 +121,13 @@ impl Engine<'_, '_> {
     }
 
     fn run_stored(&mut self, rows: Run) {
+        let Some(rows) = rows.some(self.program.stored) else {
+            return;
+        };
         for Stored {
             assignment,
             condition,
-        } in rows.of(self.program.stored)
+        } in rows
         {
             if !self.holds(condition) {
                 continue;
@@ -132,18 +148,20 @@ impl Engine<'_, '_> {
     /// Visits in source order what steps do beside momentary actions.
     fn for_each_duty(&mut self, which: Steps, mut visit: impl FnMut(&mut Self, &Duties)) {
         let program = self.program;
-        let words = program.layout.situations.indices();
-        for (place, (word, base)) in words.zip(program.bases).enumerate() {
-            let now = self.memory.word(word);
+        let first = usize::from(program.layout.situations.start);
+        for (place, base) in program.bases.iter().enumerate() {
+            let now = self.memory.word(first + place);
             let before = self.memory.before.get(place).copied().unwrap_or(0);
-            let steps = match which {
+            let mut steps = match which {
                 Steps::Active => now,
                 Steps::Before => before,
                 Steps::Activated => now & !before,
                 Steps::Deactivated => before & !now,
             };
-            for bit in set_bits_of(steps) {
-                let step = program.steps.get(usize::from(*base) + bit);
+            while steps != 0 {
+                let step = usize::from(*base) + steps.trailing_zeros() as usize;
+                steps &= steps - 1;
+                let step = program.steps.get(step);
                 if let Some(duties) = step.and_then(|step| self.duties(step)) {
                     visit(self, duties);
                 }

@@ -1,9 +1,9 @@
 //! One scan at a time: the phases of `semantics.md` in their order.
 
-use crate::bits::{set_bits, set_bits_of};
+use crate::bits::{clear, set_bits, set_bits_of};
 use crate::images::Images;
 use crate::memory::{Memory, NEVER, remembered};
-use crate::program::{Bit, Duties, Evolution, Graph, Number, Program, Run, Slot, Step};
+use crate::program::{Bit, Duties, Evolution, Graph, Number, Program, Slot, Step};
 use crate::watch::Pass;
 
 /// Rounds of one scan after which a program that evolves `stable` counts as unstable.
@@ -169,6 +169,7 @@ impl<'p, 'm> Engine<'p, 'm> {
         self.memory.raise_bit(Bit::FIRST_SCAN);
         self.take_initial_situations();
         self.settling = true;
+        self.watch_inputs(Pass::Start);
         self.watch(program.trigger_watches, Pass::Start);
         self.settle_hierarchy(Pass::Start);
         self.stamp_activations();
@@ -188,56 +189,55 @@ impl<'p, 'm> Engine<'p, 'm> {
     /// so that this one would find and do exactly the same. Nothing is evaluated then, and nothing needs writing.
     #[inline]
     pub fn scan(&mut self, time_ms: u64) -> bool {
-        if self.news == News::None && time_ms < self.due_ms {
+        let due = time_ms >= self.due_ms;
+        if self.news == News::None && !due {
             return false;
         }
-        self.full_scan(time_ms);
+        self.full_scan(time_ms, due);
         true
     }
 
-    fn full_scan(&mut self, time_ms: u64) {
-        let fresh = self.news == News::Fresh || time_ms >= self.due_ms;
+    #[inline(never)]
+    fn full_scan(&mut self, time_ms: u64, due: bool) {
+        let fresh = due || self.news == News::Fresh;
         self.news = if fresh { News::Changed } else { News::None };
         self.due_ms = NEVER;
         self.now_ms = time_ms;
         self.memory.clear_bit(Bit::FIRST_SCAN);
         match self.program.evolution {
-            Evolution::Scan => {
-                if self.moved {
-                    self.memory.remember(&self.program.layout);
-                    self.memory.mark_scan();
-                }
-                self.moved = self.evolve(Pass::First);
-                self.watch(self.program.action_watches, Pass::First);
-                if self.moved || !self.program.events.is_empty() {
-                    self.run_changes();
-                }
-            }
-            Evolution::Stable => {
-                self.memory.remember(&self.program.layout);
-                self.memory.mark_scan();
-                let settled = self.evolve_until_stable();
-                self.set_bit(Bit::UNSTABLE, !settled);
-                self.watch(self.program.action_watches, Pass::First);
-            }
+            Evolution::Scan => self.evolve_once(),
+            Evolution::Stable => self.evolve_until_stable(),
         }
         self.run_lasting();
         self.run_momentary();
     }
 
+    /// Phases 2 to 6, but for the statements that follow no change.
+    fn evolve_once(&mut self) {
+        if self.moved {
+            self.memory.remember(&self.program.layout);
+        }
+        self.moved = self.evolve(Pass::First);
+        self.watch(self.program.action_watches, Pass::First);
+        if self.moved || !self.program.events.is_empty() {
+            self.run_changes();
+        }
+    }
+
     /// Phases 2 to 5, once. True when a transition has fired or a situation has changed.
     fn evolve(&mut self, pass: Pass) -> bool {
+        self.watch_inputs(pass);
         self.watch(self.program.trigger_watches, pass);
         if self.marked {
-            self.memory.fired.fill(0);
+            clear(self.memory.fired);
         }
         self.marked = self.mark_fired();
+        let mut moved = self.marked;
         if self.marked {
             self.fire();
             self.refresh_macros();
         }
-        let mut moved = self.marked;
-        if self.program.layout.standings > 0 {
+        if !self.memory.standings.is_empty() {
             self.settling = true;
             self.settle_hierarchy(pass);
             moved = self.any_fired() || self.any_changed();
@@ -247,32 +247,37 @@ impl<'p, 'm> Engine<'p, 'm> {
             self.stamp_activations();
         }
         self.settling = false;
-        for (passed, fired) in self.memory.passed.iter_mut().zip(&*self.memory.fired) {
-            *passed |= fired;
-        }
         moved
     }
 
     /// Rounds of phases 2 to 5 with the statements that belong to a change, until nothing fires or the situation is
-    /// the one before the round. False when the last permitted round still changed it.
-    fn evolve_until_stable(&mut self) -> bool {
+    /// the one before the round. When the last permitted round still changed it, the program is unstable.
+    fn evolve_until_stable(&mut self) {
+        self.memory.remember(&self.program.layout);
+        self.memory.mark_scan();
         let mut pass = Pass::First;
+        let mut settled = false;
         for _ in 0..MAX_ROUNDS {
             // The scan has remembered what is before its first round.
             if pass == Pass::Later {
                 self.memory.remember(&self.program.layout);
             }
             self.evolve(pass);
+            for (passed, fired) in self.memory.passed.iter_mut().zip(&*self.memory.fired) {
+                *passed |= fired;
+            }
             if pass == Pass::First {
                 self.watch(self.program.round_watches, pass);
             }
             self.run_changes();
-            if !self.any_fired() || !self.any_changed() {
-                return true;
+            settled = !self.any_fired() || !self.any_changed();
+            if settled {
+                break;
             }
             pass = Pass::Later;
         }
-        false
+        self.set_bit(Bit::UNSTABLE, !settled);
+        self.watch(self.program.action_watches, Pass::First);
     }
 
     fn any_changed(&self) -> bool {
@@ -359,6 +364,14 @@ impl<'p, 'm> Engine<'p, 'm> {
             .flat_map(|(first, _, before)| set_bits_of(before).map(move |bit| first + bit))
     }
 
+    /// The situations before the latest scan.
+    fn before_scan(&self) -> &[u32] {
+        match self.program.evolution {
+            Evolution::Scan => self.memory.before,
+            Evolution::Stable => self.memory.before_scan,
+        }
+    }
+
     /// Word by word: index of the first step in it, the situation now and before the latest scan.
     fn situation(&self, graph: usize) -> impl Iterator<Item = (usize, u32, u32)> + '_ {
         let program = self.program;
@@ -371,7 +384,7 @@ impl<'p, 'm> Engine<'p, 'm> {
                 .enumerate()
                 .map(move |(offset, word)| {
                     let before = remembered(&program.layout, word)
-                        .and_then(|word| self.memory.before_scan.get(word).copied())
+                        .and_then(|word| self.before_scan().get(word).copied())
                         .unwrap_or(0);
                     (first + offset * 32, self.memory.word(word), before)
                 })
@@ -389,11 +402,6 @@ impl<'p, 'm> Engine<'p, 'm> {
             0 => None,
             row => self.program.duties.get(usize::from(row)),
         }
-    }
-
-    /// The bits of a run of links.
-    pub(crate) fn links(&self, links: Run) -> &'p [Bit] {
-        links.of(self.program.links)
     }
 
     /// Stores a Boolean.

@@ -1,6 +1,5 @@
 //! Triggers and firing (`semantics.md`, phases 2 and 3; IEC 60848 rules 2 to 5).
 
-use crate::bits::set_bits_of;
 use crate::engine::Engine;
 use crate::program::{Run, Transition};
 
@@ -9,10 +8,14 @@ impl Engine<'_, '_> {
     /// they are meanwhile, so that all transitions see the same one.
     pub(crate) fn mark_fired(&mut self) -> bool {
         let program = self.program;
+        let first = usize::from(program.layout.situations.start);
         let mut any = false;
-        for (word, base) in program.layout.situations.indices().zip(program.bases) {
-            for bit in set_bits_of(self.memory.word(word)) {
-                if let Some(step) = program.steps.get(usize::from(*base) + bit) {
+        for (place, base) in program.bases.iter().enumerate() {
+            let mut steps = self.memory.word(first + place);
+            while steps != 0 {
+                let step = usize::from(*base) + steps.trailing_zeros() as usize;
+                steps &= steps - 1;
+                if let Some(step) = program.steps.get(step) {
                     any |= self.mark_run(step.arms);
                 }
             }
@@ -35,14 +38,14 @@ impl Engine<'_, '_> {
 
     fn mark_run(&mut self, arms: Run) -> bool {
         let mut any = false;
-        let mut arms = arms.of(self.program.arms).iter();
-        loop {
-            let image: &[u32] = self.memory.image;
-            let Some(arm) = arms.find(|arm| arm.first.holds(image)) else {
-                return any;
-            };
-            any |= self.mark(usize::from(arm.transition));
+        if let Some(arms) = arms.some(self.program.arms) {
+            for arm in arms {
+                if arm.first.holds(self.memory.image) {
+                    any |= self.mark(usize::from(arm.transition));
+                }
+            }
         }
+        any
     }
 
     /// Marks a transition whose first term holds if all else holds.
@@ -61,13 +64,17 @@ impl Engine<'_, '_> {
     /// that activation has priority (IEC 60848 rule 5).
     pub(crate) fn fire(&mut self) {
         self.for_each_fired(|engine, transition| {
-            for step in engine.links(transition.entrance) {
-                engine.memory.clear_bit(*step);
+            if let Some(steps) = transition.entrance.some(engine.program.links) {
+                for step in steps {
+                    engine.memory.clear_bit(*step);
+                }
             }
         });
         self.for_each_fired(|engine, transition| {
-            for step in engine.links(transition.exit) {
-                engine.memory.raise_bit(*step);
+            if let Some(steps) = transition.exit.some(engine.program.links) {
+                for step in steps {
+                    engine.memory.raise_bit(*step);
+                }
             }
         });
     }
@@ -75,9 +82,11 @@ impl Engine<'_, '_> {
     /// Visits the transitions that fired in this round, in source order.
     pub(crate) fn for_each_fired(&mut self, mut visit: impl FnMut(&mut Self, &Transition)) {
         for word in 0..self.memory.fired.len() {
-            let marks = self.memory.fired.get(word).copied().unwrap_or(0);
-            for bit in set_bits_of(marks) {
-                if let Some(transition) = self.program.transitions.get(word * 32 + bit) {
+            let mut marks = self.memory.fired.get(word).copied().unwrap_or(0);
+            while marks != 0 {
+                let row = word * 32 + marks.trailing_zeros() as usize;
+                marks &= marks - 1;
+                if let Some(transition) = self.program.transitions.get(row) {
                     visit(self, transition);
                 }
             }

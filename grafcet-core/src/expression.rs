@@ -13,8 +13,10 @@ impl Engine<'_, '_> {
     /// Whether all terms hold now.
     pub(crate) fn terms_hold(&self, terms: Run) -> bool {
         let image: &[u32] = self.memory.image;
-        let mut terms = terms.of(self.program.terms).iter();
-        terms.all(|term| term.holds(image))
+        match terms.some(self.program.terms) {
+            Some(terms) => terms.iter().all(|term| term.holds(image)),
+            None => true,
+        }
     }
 
     /// Whether what a condition asks for beside its terms holds now.

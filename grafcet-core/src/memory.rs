@@ -254,11 +254,13 @@ impl Memory<'_> {
 
     /// Remembers the situations as those before the next round.
     pub(crate) fn remember(&mut self, layout: &Layout) {
-        let (steps, macros) = (layout.situations.indices(), layout.macros.indices());
-        let now = self.image.get(steps).into_iter().flatten();
-        let now = now.chain(self.image.get(macros).into_iter().flatten());
-        for (before, now) in self.before.iter_mut().zip(now) {
-            *before = *now;
+        let (steps, macros) = (layout.situations, layout.macros);
+        for (place, before) in self.before.iter_mut().enumerate() {
+            let word = match place.checked_sub(usize::from(steps.len)) {
+                None => usize::from(steps.start) + place,
+                Some(place) => usize::from(macros.start) + place,
+            };
+            *before = self.image.get(word).copied().unwrap_or(0);
         }
     }
 }

@@ -8,7 +8,7 @@ mod expression;
 mod place;
 mod rows;
 
-pub use expression::{Code, Condition, Edge, Op, Preset, Rest, Term, Timer, Unit, Watch};
+pub use expression::{Code, Condition, Edge, Edges, Op, Preset, Rest, Term, Timer, Unit, Watch};
 pub use place::{Bit, Number, Run, Slot, Stamp};
 pub use rows::{
     Arm, Assignment, Dependent, Duties, Enclosing, Event, Forced, Graph, Macro, Momentary,
@@ -106,6 +106,8 @@ pub struct Program<'a> {
     pub sources: &'a [u16],
     /// Whether a step has stored statements without `on`.
     pub lasting_in_steps: bool,
+    /// Whether a transition has a `do` block, or a step statements on its activation or deactivation.
+    pub stores_on_change: bool,
     /// Stored statements.
     pub stored: &'a [Stored],
     /// `on event` statements.
@@ -120,6 +122,8 @@ pub struct Program<'a> {
     pub always_momentary: Run,
     /// Momentary statements that read momentary variables, each behind those it depends on.
     pub dependent: &'a [Dependent],
+    /// Edges of inputs.
+    pub edges: &'a [Edges],
     /// Edges and timers.
     pub watches: &'a [Watch],
     /// Rows of `watches`: those in triggers and events (phase 2).

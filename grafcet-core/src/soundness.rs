@@ -99,9 +99,9 @@ impl Unsound {
 /// # const EMPTY: Program<'static> = Program {
 /// #     period_ms: 10, evolution: Evolution::Scan, fingerprint: 0, layout: LAYOUT, graphs: &[], hierarchy: &[],
 /// #     bases: &[], steps: &[], duties: &[], macros: &[], transitions: &[], links: &[], arms: &[],
-/// #     situations: &[], enclosings: &[], orders: &[], sources: &[], lasting_in_steps: false, stored: &[],
-/// #     events: &[], always_stored: Run::EMPTY, targets: &[], momentary: &[], always_momentary: Run::EMPTY,
-/// #     dependent: &[], watches: &[], trigger_watches: Run::EMPTY, round_watches: Run::EMPTY,
+/// #     situations: &[], enclosings: &[], orders: &[], sources: &[], lasting_in_steps: false,
+/// #     stores_on_change: false, stored: &[], events: &[], always_stored: Run::EMPTY, targets: &[], momentary: &[], always_momentary: Run::EMPTY,
+/// #     dependent: &[], edges: &[], watches: &[], trigger_watches: Run::EMPTY, round_watches: Run::EMPTY,
 /// #     action_watches: Run::EMPTY, terms: &[], timers: &[], codes: &[], ops: &[], numbers: &[],
 /// #     initially_true: &[], retained: &[],
 /// # };
@@ -121,9 +121,9 @@ impl Unsound {
 /// # const EMPTY: Program<'static> = Program {
 /// #     period_ms: 10, evolution: Evolution::Scan, fingerprint: 0, layout: LAYOUT, graphs: &[], hierarchy: &[],
 /// #     bases: &[], steps: &[], duties: &[], macros: &[], transitions: &[], links: &[], arms: &[],
-/// #     situations: &[], enclosings: &[], orders: &[], sources: &[], lasting_in_steps: false, stored: &[],
-/// #     events: &[], always_stored: Run::EMPTY, targets: &[], momentary: &[], always_momentary: Run::EMPTY,
-/// #     dependent: &[], watches: &[], trigger_watches: Run::EMPTY, round_watches: Run::EMPTY,
+/// #     situations: &[], enclosings: &[], orders: &[], sources: &[], lasting_in_steps: false,
+/// #     stores_on_change: false, stored: &[], events: &[], always_stored: Run::EMPTY, targets: &[], momentary: &[], always_momentary: Run::EMPTY,
+/// #     dependent: &[], edges: &[], watches: &[], trigger_watches: Run::EMPTY, round_watches: Run::EMPTY,
 /// #     action_watches: Run::EMPTY, terms: &[], timers: &[], codes: &[], ops: &[], numbers: &[],
 /// #     initially_true: &[], retained: &[],
 /// # };
@@ -213,7 +213,7 @@ impl Program<'_> {
             Some(Unsound::Events)
         } else if !self.momentary_are_sound() {
             Some(Unsound::Momentary)
-        } else if !self.watches_are_sound() {
+        } else if !self.edges_are_sound() || !self.watches_are_sound() {
             Some(Unsound::Watches)
         } else if !self.first_values_are_sound() {
             Some(Unsound::FirstValues)

@@ -19,34 +19,30 @@ impl Engine<'_, '_> {
     /// Evaluates watches in their order, so that an inner one is up to date for the one around it.
     pub(crate) fn watch(&mut self, watches: Run, pass: Pass) {
         for watch in watches.of(self.program.watches) {
-            if let Some((value, result)) = self.evaluate(watch, pass) {
-                self.set_bit(result, value);
+            let (value, result) = self.evaluate(watch, pass);
+            self.set_bit(result, value);
+        }
+    }
+
+    /// Compares the words of inputs with those of the scan before.
+    pub(crate) fn watch_inputs(&mut self, pass: Pass) {
+        for row in self.program.edges {
+            let now = self.memory.word(usize::from(row.word));
+            let was = match pass {
+                Pass::Start => now,
+                Pass::First | Pass::Later => self.memory.word(usize::from(row.last)),
+            };
+            let changed = self.memory.put_word(usize::from(row.rising), now & !was)
+                | self.memory.put_word(usize::from(row.falling), was & !now);
+            self.memory.put_word(usize::from(row.last), now);
+            if changed {
+                self.note_change();
             }
         }
     }
 
-    /// The value of a watch, and where it belongs; nothing when it has put its results there itself.
-    fn evaluate(&mut self, watch: &Watch, pass: Pass) -> Option<(bool, Bit)> {
-        Some(match watch {
-            Watch::Inputs {
-                word,
-                last,
-                rising,
-                falling,
-            } => {
-                let now = self.memory.word(usize::from(*word));
-                let was = match pass {
-                    Pass::Start => now,
-                    Pass::First | Pass::Later => self.memory.word(usize::from(*last)),
-                };
-                let changed = self.memory.put_word(usize::from(*last), now)
-                    | self.memory.put_word(usize::from(*rising), now & !was)
-                    | self.memory.put_word(usize::from(*falling), was & !now);
-                if changed {
-                    self.note_change();
-                }
-                return None;
-            }
+    fn evaluate(&mut self, watch: &Watch, pass: Pass) -> (bool, Bit) {
+        match watch {
             Watch::Edge {
                 operand,
                 edge,
@@ -56,7 +52,7 @@ impl Engine<'_, '_> {
             } => {
                 let now = self.holds(operand);
                 if pass == Pass::Later {
-                    return Some((false, *result));
+                    return (false, *result);
                 }
                 let was = self.exchange(*last, now);
                 let seen = match edge {
@@ -111,7 +107,7 @@ impl Engine<'_, '_> {
                 let open = gate.is_none_or(|gate| pass != Pass::Start && self.memory.bit(gate));
                 (open && self.holds(condition), *result)
             }
-        })
+        }
     }
 
     /// Notes the time when the enable rises, and gives the time of its latest rise.

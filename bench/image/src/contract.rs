@@ -1,5 +1,6 @@
 //! The contract: `bench_init` and `scan_once`, `bench_in`, `bench_out` and `bench_now_ms`.
 
+use core::mem::MaybeUninit;
 use core::ptr::{addr_of, addr_of_mut};
 
 use grafcet_core::engine::Engine;
@@ -21,14 +22,14 @@ pub static mut bench_out: u32 = 0;
 pub static mut bench_now_ms: u32 = 0;
 
 static mut STORAGE: Storage = Storage::new();
-static mut ENGINE: Option<Engine<'static, 'static>> = None;
+static mut ENGINE: MaybeUninit<Engine<'static, 'static>> = MaybeUninit::uninit();
 
 /// Scan 0.
 #[unsafe(no_mangle)]
 pub extern "C" fn bench_init() {
     unsafe {
         let storage = &mut *addr_of_mut!(STORAGE);
-        let engine = (*addr_of_mut!(ENGINE)).insert(Engine::new(&PROGRAM, storage.memory()));
+        let engine = (*addr_of_mut!(ENGINE)).write(Engine::new(&PROGRAM, storage.memory()));
         sample(engine);
         engine.start();
         write(engine);
@@ -39,11 +40,10 @@ pub extern "C" fn bench_init() {
 #[unsafe(no_mangle)]
 pub extern "C" fn scan_once() {
     unsafe {
-        if let Some(engine) = &mut *addr_of_mut!(ENGINE) {
-            engine.set_inputs(0, addr_of!(bench_in).read_volatile());
-            if engine.scan(u64::from(addr_of!(bench_now_ms).read_volatile())) {
-                write(engine);
-            }
+        let engine = (*addr_of_mut!(ENGINE)).assume_init_mut();
+        engine.set_inputs(0, addr_of!(bench_in).read_volatile());
+        if engine.scan(u64::from(addr_of!(bench_now_ms).read_volatile())) {
+            write(engine);
         }
     }
 }
@@ -55,6 +55,7 @@ unsafe fn sample(engine: &mut Engine<'_, '_>) {
     }
 }
 
+#[inline(never)]
 unsafe fn write(engine: &Engine<'_, '_>) {
     let mut word = 0;
     for (place, bit) in OUTPUTS.iter().enumerate() {

@@ -1,7 +1,7 @@
 //! Rows and tables as Rust expressions.
 
 use grafcet_core::program::{
-    Arm, Assignment, Bit, Code, Condition, Dependent, Duties, Edge, Enclosing, Event, Evolution,
+    Arm, Assignment, Bit, Code, Condition, Dependent, Duties, Edge, Edges, Enclosing, Event, Evolution,
     Forced, Graph, Layout, Macro, Momentary, Number, NumberRow, Op, Order, Preset, Rest, Retained,
     Run, Slot, Stamp, Step, Stored, Target, Term, Timer, Transition, Unit, Watch,
 };
@@ -32,8 +32,8 @@ macro_rules! structs {
 structs! {
     Tables => Program {
         period_ms evolution fingerprint layout graphs hierarchy bases steps duties macros transitions links arms
-        situations enclosings orders sources lasting_in_steps stored events always_stored targets momentary
-        always_momentary dependent watches trigger_watches round_watches action_watches terms timers codes ops numbers
+        situations enclosings orders sources lasting_in_steps stores_on_change stored events always_stored
+        targets momentary always_momentary dependent edges watches trigger_watches round_watches action_watches terms timers codes ops numbers
         initially_true retained
     }
     Layout => Layout {
@@ -56,6 +56,7 @@ structs! {
     Dependent => Dependent { owner statement }
     Target => Target { word mask }
     Term => Term { word mask state }
+    Edges => Edges { word last rising falling }
     Timer => Timer { step activated preset }
     NumberRow => NumberRow { initial min max }
     Retained => Retained { slot key }
@@ -240,8 +241,6 @@ impl Row for Watch {
     #[rustfmt::skip]
     fn literal(&self) -> TokenStream {
         match self {
-            Watch::Inputs { word, last, rising, falling } =>
-                variant!(Watch::Inputs { word, last, rising, falling }),
             Watch::Edge { operand, edge, last, result, from_false } =>
                 variant!(Watch::Edge { operand, edge, last, result, from_false }),
             Watch::Timer { enable, preset, unit, last, risen, result } =>

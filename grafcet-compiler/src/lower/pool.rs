@@ -156,7 +156,6 @@ impl Pool {
             Rest::None | Rest::Elapsed(_) | Rest::Running(_) => None,
         };
         let codes = match watch {
-            Watch::Inputs { .. } => [None, None],
             Watch::Edge { operand, .. } => [of(operand), None],
             Watch::Timer { enable, preset, .. } => [of(enable), Some(*preset)],
             Watch::OnDelay { enable, delay, .. } => [of(enable), Some(*delay)],

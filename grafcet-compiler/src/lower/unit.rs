@@ -134,6 +134,7 @@ impl<'m> Lowering<'m> {
     /// The finished tables, unless they are too large.
     pub fn finish(mut self) -> Result<(Tables, Places), Vec<Diagnostic>> {
         let activations = std::mem::take(&mut self.activations);
+        let edges = self.watches.edges();
         let (watches, runs) = std::mem::take(&mut self.watches).table();
         let run = |context| runs.get(&context).copied().unwrap_or_default();
         let structure = self.structure(&activations, run);
@@ -165,6 +166,11 @@ impl<'m> Lowering<'m> {
             bases: structure.bases,
             steps: structure.steps,
             lasting_in_steps: structure.duties.iter().any(|row| row.stored.len > 0),
+            stores_on_change: structure
+                .duties
+                .iter()
+                .any(|row| row.on_activation.len + row.on_deactivation.len > 0)
+                || rows.transitions.iter().any(|row| row.actions.len > 0),
             duties: structure.duties,
             macros: structure.macros,
             transitions: rows.transitions,
@@ -181,6 +187,7 @@ impl<'m> Lowering<'m> {
             momentary: rows.momentary,
             always_momentary: rows.always_momentary,
             dependent: rows.dependent,
+            edges,
             watches,
             trigger_watches: run(Context::Trigger),
             round_watches: run(Context::Round),

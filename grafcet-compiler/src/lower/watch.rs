@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, HashMap};
 
-use grafcet_core::program::{Bit, Edge, Run, Stamp, Watch};
+use grafcet_core::program::{Bit, Edge, Edges, Run, Stamp, Watch};
 
 use super::limits::index;
 
@@ -25,7 +25,7 @@ pub(super) enum Context {
 #[derive(Default)]
 pub(super) struct Watches {
     lists: BTreeMap<Context, Vec<Watch>>,
-    inputs: BTreeMap<usize, (u16, u16)>,
+    inputs: BTreeMap<u16, Edges>,
     known: HashMap<(Context, Watch), Bit>,
 }
 
@@ -81,23 +81,23 @@ impl Watches {
 
     /// The bit with an edge of an input, whose whole word is watched in phase 2 for all phases.
     pub fn input_edge(&mut self, input: Bit, edge: Edge, memories: &mut Memories) -> Bit {
-        let lists = &mut self.lists;
-        let (rising, falling) = *self.inputs.entry(input.word()).or_insert_with(|| {
-            let [last, rising, falling] = [memories.word(), memories.word(), memories.word()];
-            let watch = Watch::Inputs {
-                word: index(input.word()),
-                last,
-                rising,
-                falling,
-            };
-            lists.entry(Context::Trigger).or_default().push(watch);
-            (rising, falling)
+        let word = index(input.word());
+        let edges = self.inputs.entry(word).or_insert_with(|| Edges {
+            word,
+            last: memories.word(),
+            rising: memories.word(),
+            falling: memories.word(),
         });
         let word = match edge {
-            Edge::Rising => rising,
-            Edge::Falling => falling,
+            Edge::Rising => edges.rising,
+            Edge::Falling => edges.falling,
         };
         Bit(index(usize::from(word) * 32 + usize::from(input.0 % 32)))
+    }
+
+    /// The edges of inputs.
+    pub fn edges(&self) -> Vec<Edges> {
+        self.inputs.values().copied().collect()
     }
 
     /// All lists as one table, and where each begins.
@@ -119,8 +119,6 @@ impl Watches {
 /// Gives a watch its memories.
 fn fill(mut watch: Watch, memories: &mut Memories) -> (Watch, Bit) {
     match &mut watch {
-        // It has its words already.
-        Watch::Inputs { .. } => return (watch, NO_BIT),
         Watch::Edge { last, .. } => *last = memories.bit(),
         Watch::Timer { last, risen, .. } | Watch::OnDelay { last, risen, .. } => {
             *last = memories.bit();
@@ -134,7 +132,6 @@ fn fill(mut watch: Watch, memories: &mut Memories) -> (Watch, Bit) {
     }
     let bit = memories.bit();
     match &mut watch {
-        Watch::Inputs { .. } => {}
         Watch::Edge { result, .. }
         | Watch::Timer { result, .. }
         | Watch::OnDelay { result, .. }

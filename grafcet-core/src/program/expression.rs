@@ -137,21 +137,23 @@ pub enum Unit {
     Seconds,
 }
 
+/// `↑` and `↓` of all Booleans of one word, inputs, in a program that does not evolve `stable`. Words of the image.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Edges {
+    /// What is watched.
+    pub word: u16,
+    /// What it was in the scan before.
+    pub last: u16,
+    /// The rising edges.
+    pub rising: u16,
+    /// The falling edges.
+    pub falling: u16,
+}
+
 /// An edge or a timer with a memory of its own, evaluated in every scan where it stands. Its result is a bit of the
 /// image, which expressions read like any other. An operator inside another one stands before it in the table.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Watch {
-    /// `↑` and `↓` of all Booleans of one word, inputs, in a program that does not evolve `stable`.
-    Inputs {
-        /// The word of the image that is watched.
-        word: u16,
-        /// The word that remembers the scan before.
-        last: u16,
-        /// The word with the rising edges.
-        rising: u16,
-        /// The word with the falling edges.
-        falling: u16,
-    },
     /// `↑e` or `↓e`.
     Edge {
         /// The Boolean that is watched.

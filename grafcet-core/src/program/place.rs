@@ -72,6 +72,18 @@ impl Run {
         table.get(start..start + self.len as usize).unwrap_or(&[])
     }
 
+    /// The rows of the run, if there are any.
+    #[inline]
+    pub(crate) fn some<T>(self, table: &[T]) -> Option<&[T]> {
+        let start = self.start as usize;
+        let end = start + self.len as usize;
+        if self.len == 0 {
+            None
+        } else {
+            table.get(start..end)
+        }
+    }
+
     /// The indices of the rows.
     #[must_use]
     pub fn indices(self) -> core::ops::Range<usize> {

@@ -60,6 +60,7 @@ impl Program<'_> {
             let row = &self.duties[i];
             let sound = row.stored.is_within(self.stored.len())
                 && (row.stored.len == 0 || self.lasting_in_steps)
+                && (row.on_activation.len + row.on_deactivation.len == 0 || self.stores_on_change)
                 && row.on_activation.is_within(self.stored.len())
                 && row.on_deactivation.is_within(self.stored.len())
                 && row.on_event.is_within(self.events.len())
@@ -103,7 +104,8 @@ impl Program<'_> {
                 let sound = self.links_are_steps_of(graph, transition.entrance)
                     && self.links_are_steps_of(graph, transition.exit)
                     && self.condition_is_sound(transition.fires)
-                    && transition.actions.is_within(self.stored.len());
+                    && transition.actions.is_within(self.stored.len())
+                    && (transition.actions.len == 0 || self.stores_on_change);
                 if !sound {
                     return false;
                 }
@@ -257,6 +259,25 @@ impl Program<'_> {
         true
     }
 
+    pub(super) const fn edges_are_sound(&self) -> bool {
+        let mut i = 0;
+        while i < self.edges.len() {
+            let row = &self.edges[i];
+            let sound = self.layout.inputs.holds(row.word as usize)
+                && self.word_is_stored(row.last)
+                && self.word_is_stored(row.rising)
+                && self.word_is_stored(row.falling)
+                && row.last != row.rising
+                && row.last != row.falling
+                && row.rising != row.falling;
+            if !sound {
+                return false;
+            }
+            i += 1;
+        }
+        true
+    }
+
     pub(super) const fn watches_are_sound(&self) -> bool {
         let mut i = 0;
         while i < self.watches.len() {
@@ -270,20 +291,6 @@ impl Program<'_> {
 
     const fn watch_is_sound(&self, watch: &Watch) -> bool {
         match *watch {
-            Watch::Inputs {
-                word,
-                last,
-                rising,
-                falling,
-            } => {
-                word < self.layout.words
-                    && self.word_is_stored(last)
-                    && self.word_is_stored(rising)
-                    && self.word_is_stored(falling)
-                    && last != rising
-                    && last != falling
-                    && rising != falling
-            }
             Watch::Edge {
                 operand,
                 last,
