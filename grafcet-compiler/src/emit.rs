@@ -30,6 +30,17 @@ pub fn program(application: &Application) -> TokenStream {
         #[allow(long_running_const_eval)]
         const _: () = grafcet_core::soundness::demand(&PROGRAM);
 
+        /// The program for an engine that is compiled for it alone.
+        #[derive(Clone, Copy, Debug)]
+        pub struct Application;
+
+        impl Compiled for Application {
+            #[inline(always)]
+            fn program(&self) -> &Program<'_> {
+                &PROGRAM
+            }
+        }
+
         /// What the program calls its things.
         pub static NAMES: Names<'static> = #names;
 

@@ -2,7 +2,8 @@
 
 use crate::bits::clear;
 use crate::engine::Engine;
-use crate::program::{Assignment, Dependent, Duties, Momentary, Run, Stored};
+use crate::memory::Store;
+use crate::program::{Compiled, Assignment, Dependent, Duties, Momentary, Run, Stored};
 
 /// Which steps an action belongs to.
 #[derive(Clone, Copy)]
@@ -17,10 +18,12 @@ enum Steps {
     Deactivated,
 }
 
-impl Engine<'_, '_> {
+impl<P: Compiled, S: Store> Engine<P, S> {
     /// Phase 5: what has just become active is timed from now.
     pub(crate) fn stamp_activations(&mut self) {
-        if self.memory.stamps.is_empty() {
+        let tables = self.tables;
+        let program = tables.program();
+        if self.memory.store.stamps().is_empty() {
             return;
         }
         self.for_each_duty(Steps::Activated, |engine, duties| {
@@ -28,7 +31,6 @@ impl Engine<'_, '_> {
                 engine.memory.set_stamp(stamp, engine.now_ms);
             }
         });
-        let program = self.program;
         for row in program.macros {
             if let Some(stamp) = row.activated
                 && self.memory.bit(row.bit)
@@ -41,7 +43,8 @@ impl Engine<'_, '_> {
 
     /// Phase 6, the statements that belong to a change: `do`, `on event`, `on deactivation`, `on activation`.
     pub(crate) fn run_changes(&mut self) {
-        let program = self.program;
+        let tables = self.tables;
+        let program = tables.program();
         if program.stores_on_change {
             self.for_each_fired(|engine, transition| engine.run_stored(transition.actions));
         }
@@ -66,8 +69,10 @@ impl Engine<'_, '_> {
 
     /// Phase 6, the statements without `on`: stand-alone actions, then actions of the active steps.
     pub(crate) fn run_lasting(&mut self) {
-        self.run_stored(self.program.always_stored);
-        if self.program.lasting_in_steps {
+        let tables = self.tables;
+        let program = tables.program();
+        self.run_stored(program.always_stored);
+        if program.lasting_in_steps {
             self.for_each_duty(Steps::Active, |engine, duties| {
                 engine.run_stored(duties.stored);
             });
@@ -76,9 +81,10 @@ impl Engine<'_, '_> {
 
     /// Phase 7: a momentary variable is the OR of its statements, those that read others after those they read.
     pub(crate) fn run_momentary(&mut self) {
-        let program = self.program;
+        let tables = self.tables;
+        let program = tables.program();
         let words = program.layout.momentary.indices();
-        if let Some(words) = self.memory.image.get_mut(words) {
+        if let Some(words) = self.memory.store.image_mut().get_mut(words) {
             clear(words);
         }
         self.run_momentary_rows(program.always_momentary);
@@ -101,7 +107,9 @@ impl Engine<'_, '_> {
     }
 
     fn run_momentary_rows(&mut self, rows: Run) {
-        if let Some(rows) = rows.some(self.program.momentary) {
+        let tables = self.tables;
+        let program = tables.program();
+        if let Some(rows) = rows.some(program.momentary) {
             for row in rows {
                 self.run_momentary_row(row);
             }
@@ -109,11 +117,13 @@ impl Engine<'_, '_> {
     }
 
     fn run_momentary_row(&mut self, row: &Momentary) {
+        let tables = self.tables;
+        let program = tables.program();
         if self.holds(&row.condition)
-            && let Some(targets) = row.targets.some(self.program.targets)
+            && let Some(targets) = row.targets.some(program.targets)
         {
             for target in targets {
-                if let Some(word) = self.memory.image.get_mut(usize::from(target.word)) {
+                if let Some(word) = self.memory.store.image_mut().get_mut(usize::from(target.word)) {
                     *word |= target.mask;
                 }
             }
@@ -121,7 +131,9 @@ impl Engine<'_, '_> {
     }
 
     fn run_stored(&mut self, rows: Run) {
-        let Some(rows) = rows.some(self.program.stored) else {
+        let tables = self.tables;
+        let program = tables.program();
+        let Some(rows) = rows.some(program.stored) else {
             return;
         };
         for Stored {
@@ -147,11 +159,12 @@ impl Engine<'_, '_> {
 
     /// Visits in source order what steps do beside momentary actions.
     fn for_each_duty(&mut self, which: Steps, mut visit: impl FnMut(&mut Self, &Duties)) {
-        let program = self.program;
+        let tables = self.tables;
+        let program = tables.program();
         let first = usize::from(program.layout.situations.start);
         for (place, base) in program.bases.iter().enumerate() {
             let now = self.memory.word(first + place);
-            let before = self.memory.before.get(place).copied().unwrap_or(0);
+            let before = self.memory.store.before().get(place).copied().unwrap_or(0);
             let mut steps = match which {
                 Steps::Active => now,
                 Steps::Before => before,
@@ -162,7 +175,7 @@ impl Engine<'_, '_> {
                 let step = usize::from(*base) + steps.trailing_zeros() as usize;
                 steps &= steps - 1;
                 let step = program.steps.get(step);
-                if let Some(duties) = step.and_then(|step| self.duties(step)) {
+                if let Some(duties) = step.and_then(|step| program.duties_of(step)) {
                     visit(self, duties);
                 }
             }

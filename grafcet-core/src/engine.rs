@@ -2,8 +2,8 @@
 
 use crate::bits::{clear, set_bits, set_bits_of};
 use crate::images::Images;
-use crate::memory::{Memory, NEVER, remembered};
-use crate::program::{Bit, Duties, Evolution, Graph, Number, Program, Slot, Step};
+use crate::memory::{Memory, NEVER, Store, remembered};
+use crate::program::{Bit, Compiled, Evolution, Number, Program, Slot};
 use crate::watch::Pass;
 
 /// Rounds of one scan after which a program that evolves `stable` counts as unstable.
@@ -14,9 +14,9 @@ pub const MAX_ROUNDS: u32 = 100;
 /// Between scans, inputs and parameters are written and everything can be read; during one, nothing else is looked
 /// at. Scan 0 is [`Engine::start`]; each later scan is one call of [`Engine::scan`] with its time stamp.
 #[derive(Debug)]
-pub struct Engine<'p, 'm> {
-    pub(crate) program: &'p Program<'p>,
-    pub(crate) memory: Memory<'m>,
+pub struct Engine<P, S> {
+    pub(crate) tables: P,
+    pub(crate) memory: Memory<S>,
     /// Whether the next scan can differ from the one before.
     pub(crate) news: News,
     /// When the next timer runs out that the latest scan has found running, in ms since scan 0.
@@ -43,12 +43,12 @@ pub(crate) enum News {
     Fresh,
 }
 
-impl<'p, 'm> Engine<'p, 'm> {
+impl<P: Compiled, S: Store> Engine<P, S> {
     /// Takes a program and memory for it. All variables have their declared values; nothing is active yet.
-    pub fn new(program: &'p Program<'p>, memory: Memory<'m>) -> Self {
+    pub fn new(tables: P, store: S) -> Self {
         let mut engine = Engine {
-            program,
-            memory,
+            tables,
+            memory: Memory { store },
             news: News::Fresh,
             due_ms: NEVER,
             now_ms: 0,
@@ -56,8 +56,10 @@ impl<'p, 'm> Engine<'p, 'm> {
             marked: true,
             moved: true,
         };
+        let program = tables.program();
         engine.memory.clear();
-        for (value, row) in engine.memory.numbers.iter_mut().zip(program.numbers) {
+        let values = engine.memory.store.numbers_mut().iter_mut();
+        for (value, row) in values.zip(program.numbers) {
             *value = row.initial;
         }
         for bit in program.initially_true {
@@ -68,8 +70,8 @@ impl<'p, 'm> Engine<'p, 'm> {
 
     /// The program.
     #[must_use]
-    pub fn program(&self) -> &'p Program<'p> {
-        self.program
+    pub fn program(&self) -> &Program<'_> {
+        self.tables.program()
     }
 
     /// Gives a retained variable or parameter its stored value, before [`Engine::start`]. A value that the variable
@@ -108,7 +110,9 @@ impl<'p, 'm> Engine<'p, 'm> {
 
     /// Writes a Boolean input for the next scan. A bit that is no input is left alone.
     pub fn set_input(&mut self, bit: Bit, value: bool) {
-        let is_input = self.program.layout.inputs.indices().contains(&bit.word());
+        let tables = self.tables;
+        let program = tables.program();
+        let is_input = program.layout.inputs.indices().contains(&bit.word());
         if is_input && self.memory.put_bit(bit, value) {
             self.news = News::Fresh;
         }
@@ -118,7 +122,9 @@ impl<'p, 'm> Engine<'p, 'm> {
     /// lie in the order of their declarations.
     #[inline]
     pub fn set_inputs(&mut self, place: u16, inputs: u32) {
-        let words = self.program.layout.inputs;
+        let tables = self.tables;
+        let program = tables.program();
+        let words = program.layout.inputs;
         let word = usize::from(words.start) + usize::from(place);
         if place < words.len && self.memory.put_word(word, inputs) {
             self.news = News::Fresh;
@@ -127,13 +133,15 @@ impl<'p, 'm> Engine<'p, 'm> {
 
     /// Writes a numeric input for the next scan, clamped to its range and counted when it goes out of it.
     pub fn sample_number(&mut self, number: Number, raw: i32) {
-        let inputs = self.program.layout.number_inputs;
+        let tables = self.tables;
+        let program = tables.program();
+        let inputs = program.layout.number_inputs;
         if !inputs.indices().contains(&usize::from(number.0)) {
             return;
         }
         let value = self.clamp(number, raw);
         let place = number.0 - inputs.start;
-        let outside = Bit(self.program.layout.outside.start * 32 + place);
+        let outside = Bit(program.layout.outside.start * 32 + place);
         let is_outside = value != raw;
         let crossed = self.memory.put_bit(outside, is_outside);
         if crossed && is_outside {
@@ -163,7 +171,8 @@ impl<'p, 'm> Engine<'p, 'm> {
 
     /// Scan 0: initialisation, at time 0.
     pub fn start(&mut self) {
-        let program = self.program;
+        let tables = self.tables;
+        let program = tables.program();
         self.now_ms = 0;
         self.due_ms = NEVER;
         self.memory.raise_bit(Bit::FIRST_SCAN);
@@ -199,12 +208,14 @@ impl<'p, 'm> Engine<'p, 'm> {
 
     #[inline(never)]
     fn full_scan(&mut self, time_ms: u64, due: bool) {
+        let tables = self.tables;
+        let program = tables.program();
         let fresh = due || self.news == News::Fresh;
         self.news = if fresh { News::Changed } else { News::None };
         self.due_ms = NEVER;
         self.now_ms = time_ms;
         self.memory.clear_bit(Bit::FIRST_SCAN);
-        match self.program.evolution {
+        match program.evolution {
             Evolution::Scan => self.evolve_once(),
             Evolution::Stable => self.evolve_until_stable(),
         }
@@ -214,22 +225,26 @@ impl<'p, 'm> Engine<'p, 'm> {
 
     /// Phases 2 to 6, but for the statements that follow no change.
     fn evolve_once(&mut self) {
+        let tables = self.tables;
+        let program = tables.program();
         if self.moved {
-            self.memory.remember(&self.program.layout);
+            self.memory.remember(&program.layout);
         }
         self.moved = self.evolve(Pass::First);
-        self.watch(self.program.action_watches, Pass::First);
-        if self.moved || !self.program.events.is_empty() {
+        self.watch(program.action_watches, Pass::First);
+        if self.moved || !program.events.is_empty() {
             self.run_changes();
         }
     }
 
     /// Phases 2 to 5, once. True when a transition has fired or a situation has changed.
     fn evolve(&mut self, pass: Pass) -> bool {
+        let tables = self.tables;
+        let program = tables.program();
         self.watch_inputs(pass);
-        self.watch(self.program.trigger_watches, pass);
+        self.watch(program.trigger_watches, pass);
         if self.marked {
-            clear(self.memory.fired);
+            clear(self.memory.store.fired_mut());
         }
         self.marked = self.mark_fired();
         let mut moved = self.marked;
@@ -237,7 +252,7 @@ impl<'p, 'm> Engine<'p, 'm> {
             self.fire();
             self.refresh_macros();
         }
-        if !self.memory.standings.is_empty() {
+        if !self.memory.store.standings().is_empty() {
             self.settling = true;
             self.settle_hierarchy(pass);
             moved = self.any_fired() || self.any_changed();
@@ -253,21 +268,21 @@ impl<'p, 'm> Engine<'p, 'm> {
     /// Rounds of phases 2 to 5 with the statements that belong to a change, until nothing fires or the situation is
     /// the one before the round. When the last permitted round still changed it, the program is unstable.
     fn evolve_until_stable(&mut self) {
-        self.memory.remember(&self.program.layout);
+        let tables = self.tables;
+        let program = tables.program();
+        self.memory.remember(&program.layout);
         self.memory.mark_scan();
         let mut pass = Pass::First;
         let mut settled = false;
         for _ in 0..MAX_ROUNDS {
             // The scan has remembered what is before its first round.
             if pass == Pass::Later {
-                self.memory.remember(&self.program.layout);
+                self.memory.remember(&program.layout);
             }
             self.evolve(pass);
-            for (passed, fired) in self.memory.passed.iter_mut().zip(&*self.memory.fired) {
-                *passed |= fired;
-            }
+            self.memory.note_passed();
             if pass == Pass::First {
-                self.watch(self.program.round_watches, pass);
+                self.watch(program.round_watches, pass);
             }
             self.run_changes();
             settled = !self.any_fired() || !self.any_changed();
@@ -277,13 +292,15 @@ impl<'p, 'm> Engine<'p, 'm> {
             pass = Pass::Later;
         }
         self.set_bit(Bit::UNSTABLE, !settled);
-        self.watch(self.program.action_watches, Pass::First);
+        self.watch(program.action_watches, Pass::First);
     }
 
     fn any_changed(&self) -> bool {
-        let steps = self.program.layout.situations.indices();
-        let now = self.memory.image.get(steps).into_iter().flatten();
-        now.zip(self.memory.before.iter())
+        let tables = self.tables;
+        let program = tables.program();
+        let steps = program.layout.situations.indices();
+        let now = self.memory.store.image().get(steps).into_iter().flatten();
+        now.zip(self.memory.store.before().iter())
             .any(|(now, before)| now != before)
     }
 
@@ -312,28 +329,30 @@ impl<'p, 'm> Engine<'p, 'm> {
     #[must_use]
     pub fn images(&self) -> Images<'_> {
         Images {
-            image: self.memory.image,
-            numbers: self.memory.numbers,
+            image: self.memory.store.image(),
+            numbers: self.memory.store.numbers(),
         }
     }
 
     /// The image: one bit for each Boolean.
     #[must_use]
     pub fn image(&self) -> &[u32] {
-        self.memory.image
+        self.memory.store.image()
     }
 
     /// The numbers.
     #[must_use]
     pub fn numbers(&self) -> &[i32] {
-        self.memory.numbers
+        self.memory.store.numbers()
     }
 
     /// The transitions that fired in the latest scan, as indices in [`Program::transitions`], in source order.
     pub fn fired(&self) -> impl Iterator<Item = usize> + '_ {
-        set_bits(match self.program.evolution {
-            Evolution::Scan => self.memory.fired,
-            Evolution::Stable => self.memory.passed,
+        let tables = self.tables;
+        let program = tables.program();
+        set_bits(match program.evolution {
+            Evolution::Scan => self.memory.store.fired(),
+            Evolution::Stable => self.memory.store.passed(),
         })
     }
 
@@ -347,7 +366,8 @@ impl<'p, 'm> Engine<'p, 'm> {
     #[must_use]
     pub fn graph_forced(&self, graph: usize) -> bool {
         self.memory
-            .standings
+            .store
+            .standings()
             .get(graph)
             .is_some_and(|standing| standing.void)
     }
@@ -366,15 +386,17 @@ impl<'p, 'm> Engine<'p, 'm> {
 
     /// The situations before the latest scan.
     fn before_scan(&self) -> &[u32] {
-        match self.program.evolution {
-            Evolution::Scan => self.memory.before,
-            Evolution::Stable => self.memory.before_scan,
+        let tables = self.tables;
+        let program = tables.program();
+        match program.evolution {
+            Evolution::Scan => self.memory.store.before(),
+            Evolution::Stable => self.memory.store.before_scan(),
         }
     }
 
     /// Word by word: index of the first step in it, the situation now and before the latest scan.
     fn situation(&self, graph: usize) -> impl Iterator<Item = (usize, u32, u32)> + '_ {
-        let program = self.program;
+        let program = self.program();
         let graph = program.graphs.get(graph).copied();
         graph.into_iter().flat_map(move |graph| {
             let first = usize::from(graph.steps.start);
@@ -389,19 +411,6 @@ impl<'p, 'm> Engine<'p, 'm> {
                     (first + offset * 32, self.memory.word(word), before)
                 })
         })
-    }
-
-    /// The step with that place among the steps of a graph.
-    pub(crate) fn step(&self, graph: &Graph, place: usize) -> Option<&'p Step> {
-        graph.steps.of(self.program.steps).get(place)
-    }
-
-    /// What a step does beside momentary actions, if it does.
-    pub(crate) fn duties(&self, step: &Step) -> Option<&'p Duties> {
-        match step.duties {
-            0 => None,
-            row => self.program.duties.get(usize::from(row)),
-        }
     }
 
     /// Stores a Boolean.
@@ -436,7 +445,9 @@ impl<'p, 'm> Engine<'p, 'm> {
     }
 
     fn clamp(&self, number: Number, value: i32) -> i32 {
-        match self.program.numbers.get(usize::from(number.0)) {
+        let tables = self.tables;
+        let program = tables.program();
+        match program.numbers.get(usize::from(number.0)) {
             // Not `clamp`, which panics when the ends are reversed.
             Some(row) => value.max(row.min).min(row.max),
             None => value,

@@ -1,13 +1,15 @@
 //! Triggers and firing (`semantics.md`, phases 2 and 3; IEC 60848 rules 2 to 5).
 
 use crate::engine::Engine;
-use crate::program::{Run, Transition};
+use crate::memory::Store;
+use crate::program::{Compiled, Run, Transition};
 
-impl Engine<'_, '_> {
+impl<P: Compiled, S: Store> Engine<P, S> {
     /// Marks every armed transition whose trigger is True, and tells whether there is one. The situations stay as
     /// they are meanwhile, so that all transitions see the same one.
     pub(crate) fn mark_fired(&mut self) -> bool {
-        let program = self.program;
+        let tables = self.tables;
+        let program = tables.program();
         let first = usize::from(program.layout.situations.start);
         let mut any = false;
         for (place, base) in program.bases.iter().enumerate() {
@@ -25,7 +27,8 @@ impl Engine<'_, '_> {
 
     /// A transition without entrance steps is always armed while its graph is alive.
     fn mark_sources(&mut self) -> bool {
-        let program = self.program;
+        let tables = self.tables;
+        let program = tables.program();
         let mut any = false;
         for graph in program.sources {
             let graph = program.graphs.get(usize::from(*graph));
@@ -37,10 +40,12 @@ impl Engine<'_, '_> {
     }
 
     fn mark_run(&mut self, arms: Run) -> bool {
+        let tables = self.tables;
+        let program = tables.program();
         let mut any = false;
-        if let Some(arms) = arms.some(self.program.arms) {
+        if let Some(arms) = arms.some(program.arms) {
             for arm in arms {
-                if arm.first.holds(self.memory.image) {
+                if arm.first.holds(self.memory.store.image()) {
                     any |= self.mark(usize::from(arm.transition));
                 }
             }
@@ -50,11 +55,13 @@ impl Engine<'_, '_> {
 
     /// Marks a transition whose first term holds if all else holds.
     fn mark(&mut self, index: usize) -> bool {
-        let Some(transition) = self.program.transitions.get(index) else {
+        let tables = self.tables;
+        let program = tables.program();
+        let Some(transition) = program.transitions.get(index) else {
             return false;
         };
         let fires = self.holds(&transition.fires);
-        if fires && let Some(word) = self.memory.fired.get_mut(index / 32) {
+        if fires && let Some(word) = self.memory.store.fired_mut().get_mut(index / 32) {
             *word |= 1 << (index % 32);
         }
         fires
@@ -63,15 +70,17 @@ impl Engine<'_, '_> {
     /// Fires all marked transitions together: first every entrance step is left, then every exit step is entered, so
     /// that activation has priority (IEC 60848 rule 5).
     pub(crate) fn fire(&mut self) {
+        let tables = self.tables;
+        let program = tables.program();
         self.for_each_fired(|engine, transition| {
-            if let Some(steps) = transition.entrance.some(engine.program.links) {
+            if let Some(steps) = transition.entrance.some(program.links) {
                 for step in steps {
                     engine.memory.clear_bit(*step);
                 }
             }
         });
         self.for_each_fired(|engine, transition| {
-            if let Some(steps) = transition.exit.some(engine.program.links) {
+            if let Some(steps) = transition.exit.some(program.links) {
                 for step in steps {
                     engine.memory.raise_bit(*step);
                 }
@@ -81,12 +90,14 @@ impl Engine<'_, '_> {
 
     /// Visits the transitions that fired in this round, in source order.
     pub(crate) fn for_each_fired(&mut self, mut visit: impl FnMut(&mut Self, &Transition)) {
-        for word in 0..self.memory.fired.len() {
-            let mut marks = self.memory.fired.get(word).copied().unwrap_or(0);
+        let tables = self.tables;
+        let program = tables.program();
+        for word in 0..self.memory.store.fired().len() {
+            let mut marks = self.memory.store.fired().get(word).copied().unwrap_or(0);
             while marks != 0 {
                 let row = word * 32 + marks.trailing_zeros() as usize;
                 marks &= marks - 1;
-                if let Some(transition) = self.program.transitions.get(row) {
+                if let Some(transition) = program.transitions.get(row) {
                     visit(self, transition);
                 }
             }
@@ -95,13 +106,13 @@ impl Engine<'_, '_> {
 
     /// Whether any transition of this round has fired.
     pub(crate) fn any_fired(&self) -> bool {
-        self.memory.fired.iter().any(|word| *word != 0)
+        self.memory.store.fired().iter().any(|word| *word != 0)
     }
 
     /// Takes back the firing of a graph whose own evolution is void.
     pub(crate) fn void_fired(&mut self, transitions: Run) {
         for index in transitions.indices() {
-            if let Some(word) = self.memory.fired.get_mut(index / 32) {
+            if let Some(word) = self.memory.store.fired_mut().get_mut(index / 32) {
                 *word &= !(1 << (index % 32));
             }
         }

@@ -1,10 +1,10 @@
 //! Conditions and values: conjunctions as mask and state words, everything else as postfix code.
 
 use crate::engine::Engine;
-use crate::memory::NEVER;
-use crate::program::{Bit, Code, Condition, Op, Preset, Rest, Run, Stamp, Term, Unit};
+use crate::memory::{NEVER, Store};
+use crate::program::{Compiled, Bit, Code, Condition, Op, Preset, Rest, Run, Stamp, Term, Unit};
 
-impl Engine<'_, '_> {
+impl<P: Compiled, S: Store> Engine<P, S> {
     /// Whether a condition holds now. Arithmetic that goes wrong on the way is counted.
     pub(crate) fn holds(&mut self, condition: &Condition) -> bool {
         self.terms_hold(condition.terms) && self.rest_holds(condition.rest)
@@ -12,8 +12,10 @@ impl Engine<'_, '_> {
 
     /// Whether all terms hold now.
     pub(crate) fn terms_hold(&self, terms: Run) -> bool {
-        let image: &[u32] = self.memory.image;
-        match terms.some(self.program.terms) {
+        let tables = self.tables;
+        let program = tables.program();
+        let image: &[u32] = self.memory.store.image();
+        match terms.some(program.terms) {
             Some(terms) => terms.iter().all(|term| term.holds(image)),
             None => true,
         }
@@ -21,19 +23,23 @@ impl Engine<'_, '_> {
 
     /// Whether what a condition asks for beside its terms holds now.
     pub(crate) fn rest_holds(&mut self, rest: Rest) -> bool {
+        let tables = self.tables;
+        let program = tables.program();
         match rest {
             Rest::None => true,
             Rest::Elapsed(timer) => self.has_elapsed(timer),
             Rest::Running(timer) => !self.has_elapsed(timer),
             Rest::Code(code) => {
-                let code = self.program.codes.get(usize::from(code));
+                let code = program.codes.get(usize::from(code));
                 code.is_some_and(|code| self.value_of(*code) != 0)
             }
         }
     }
 
     fn has_elapsed(&mut self, timer: u16) -> bool {
-        let Some(timer) = self.program.timers.get(usize::from(timer)) else {
+        let tables = self.tables;
+        let program = tables.program();
+        let Some(timer) = program.timers.get(usize::from(timer)) else {
             return false;
         };
         let (preset, unit) = match timer.preset {
@@ -46,9 +52,10 @@ impl Engine<'_, '_> {
 
     /// The value that a piece of code leaves.
     pub(crate) fn value_of(&mut self, code: Code) -> i32 {
+        let tables = self.tables;
         let start = code.start as usize;
-        let ops = self
-            .program
+        let ops = tables
+            .program()
             .ops
             .get(start..start + usize::from(code.len))
             .unwrap_or(&[]);
@@ -120,7 +127,7 @@ impl Engine<'_, '_> {
     }
 
     fn push(&mut self, depth: &mut usize, value: i32) {
-        if let Some(top) = self.memory.stack.get_mut(*depth) {
+        if let Some(top) = self.memory.store.stack_mut().get_mut(*depth) {
             *top = value;
         }
         *depth += 1;
@@ -128,13 +135,15 @@ impl Engine<'_, '_> {
 
     fn pop(&mut self, depth: &mut usize) -> i32 {
         *depth = depth.saturating_sub(1);
-        self.memory.stack.get(*depth).copied().unwrap_or(0)
+        self.memory.store.stack().get(*depth).copied().unwrap_or(0)
     }
 
     /// When a step or macro step was last activated. Until phase 5 has written it down, one that is activated in
     /// this very round counts from now.
     fn activation(&self, step: Bit, activated: Stamp) -> u64 {
-        let layout = &self.program.layout;
+        let tables = self.tables;
+        let program = tables.program();
+        let layout = &program.layout;
         if self.settling && self.memory.bit(step) && !self.memory.was_active(layout, step) {
             self.now_ms
         } else {

@@ -2,8 +2,8 @@
 
 use crate::bits::set_bits_of;
 use crate::engine::Engine;
-use crate::memory::{Given, Standing};
-use crate::program::{Bit, Enclosing, Forced, Graph, Run};
+use crate::memory::{Store, Given, Standing};
+use crate::program::{Compiled, Bit, Enclosing, Forced, Graph, Run};
 use crate::watch::Pass;
 
 /// Where a graph takes its situation from.
@@ -18,10 +18,11 @@ enum Decision {
     Own,
 }
 
-impl Engine<'_, '_> {
+impl<P: Compiled, S: Store> Engine<P, S> {
     /// Gives every graph its initial situation, an enclosed one only when an initial step encloses it.
     pub(crate) fn take_initial_situations(&mut self) {
-        let program = self.program;
+        let tables = self.tables;
+        let program = tables.program();
         for &index in program.hierarchy {
             let Some(graph) = program.graphs.get(usize::from(index)) else {
                 continue;
@@ -39,7 +40,9 @@ impl Engine<'_, '_> {
 
     /// Whether a graph keeps in scan 0 what it has taken: a step that gave it was active as the scan began, and is.
     fn keeps_start(&self, enclosings: &[Enclosing]) -> bool {
-        let layout = &self.program.layout;
+        let tables = self.tables;
+        let program = tables.program();
+        let layout = &program.layout;
         let initially = |step| self.memory.was_initially_active(layout, step);
         at_start(enclosings, initially).is_some_and(|taken| {
             let active = |step| self.memory.bit(step) && initially(step);
@@ -50,11 +53,12 @@ impl Engine<'_, '_> {
 
     /// Phase 4.
     pub(crate) fn settle_hierarchy(&mut self, pass: Pass) {
-        let program = self.program;
+        let tables = self.tables;
+        let program = tables.program();
         if program.orders.is_empty() && program.enclosings.is_empty() {
             return;
         }
-        for standing in self.memory.standings.iter_mut() {
+        for standing in self.memory.store.standings_mut().iter_mut() {
             standing.order = None;
         }
         for &index in program.hierarchy {
@@ -94,14 +98,16 @@ impl Engine<'_, '_> {
         if (held, void) != (standing.held, standing.void) {
             self.note_change();
         }
-        if let Some(standing) = self.memory.standings.get_mut(usize::from(index)) {
+        if let Some(standing) = self.memory.store.standings_mut().get_mut(usize::from(index)) {
             *standing = new;
         }
     }
 
     /// The first line of phase 4 that applies.
     fn decide(&self, graph: &Graph, standing: &Standing, pass: Pass) -> Decision {
-        let enclosings = graph.enclosings.of(self.program.enclosings);
+        let tables = self.tables;
+        let program = tables.program();
+        let enclosings = graph.enclosings.of(program.enclosings);
         if !self.is_alive(graph) {
             return Decision::Empty;
         }
@@ -124,12 +130,16 @@ impl Engine<'_, '_> {
     /// An enclosed graph is alive only while an enclosing step is active: otherwise it is empty, no order on it is
     /// valid, and none of its transitions is armed.
     pub(crate) fn is_alive(&self, graph: &Graph) -> bool {
-        let enclosings = graph.enclosings.of(self.program.enclosings);
+        let tables = self.tables;
+        let program = tables.program();
+        let enclosings = graph.enclosings.of(program.enclosings);
         enclosings.is_empty() || enclosings.iter().any(|by| self.memory.bit(by.step))
     }
 
     fn is_activated(&self, by: &Enclosing) -> bool {
-        self.memory.bit(by.step) && !self.memory.was_active(&self.program.layout, by.step)
+        let tables = self.tables;
+        let program = tables.program();
+        self.memory.bit(by.step) && !self.memory.was_active(&program.layout, by.step)
     }
 
     fn empty(&mut self, graph: &Graph) {
@@ -139,38 +149,44 @@ impl Engine<'_, '_> {
     }
 
     fn take(&mut self, graph: &Graph, situation: u16) {
+        let tables = self.tables;
+        let program = tables.program();
         for (offset, word) in graph.words.indices().enumerate() {
-            let set = self.program.situations.get(usize::from(situation) + offset);
+            let set = program.situations.get(usize::from(situation) + offset);
             self.set_word(word, set.copied().unwrap_or(0));
         }
     }
 
     /// `{*}` and a held graph: the situation before this scan (round); in scan 0 the initial one, which it still has.
     fn take_before(&mut self, graph: &Graph, pass: Pass) {
+        let tables = self.tables;
+        let program = tables.program();
         if pass == Pass::Start {
             return;
         }
         let first = graph.words.start;
-        let offset = usize::from(first - self.program.layout.situations.start.min(first));
+        let offset = usize::from(first - program.layout.situations.start.min(first));
         for (index, word) in graph.words.indices().enumerate() {
-            let steps = self.memory.before.get(offset + index).copied().unwrap_or(0);
+            let steps = self.memory.store.before().get(offset + index).copied().unwrap_or(0);
             self.set_word(word, steps);
         }
     }
 
     fn set_word(&mut self, word: usize, value: u32) {
-        if let Some(word) = self.memory.image.get_mut(word) {
+        if let Some(word) = self.memory.store.image_mut().get_mut(word) {
             *word = value;
         }
     }
 
     fn give_orders_of_steps(&mut self, graph: &Graph, by: u16) {
+        let tables = self.tables;
+        let program = tables.program();
+        let steps = graph.steps.of(program.steps);
         for (offset, word) in graph.words.indices().enumerate() {
             for bit in set_bits_of(self.memory.word(word)) {
-                if let Some(step) = self.step(graph, offset * 32 + bit) {
-                    if let Some(duties) = self.duties(step) {
-                        self.give_orders(duties.orders, by);
-                    }
+                let step = steps.get(offset * 32 + bit);
+                if let Some(duties) = step.and_then(|step| program.duties_of(step)) {
+                    self.give_orders(duties.orders, by);
                 }
             }
         }
@@ -178,11 +194,13 @@ impl Engine<'_, '_> {
 
     /// Of two valid orders that of the graph taken first wins, within one graph the later statement.
     fn give_orders(&mut self, orders: Run, by: u16) {
-        for order in orders.of(self.program.orders) {
+        let tables = self.tables;
+        let program = tables.program();
+        for order in orders.of(program.orders) {
             if !self.holds(&order.condition) {
                 continue;
             }
-            let Some(standing) = self.memory.standings.get_mut(usize::from(order.graph)) else {
+            let Some(standing) = self.memory.store.standings_mut().get_mut(usize::from(order.graph)) else {
                 continue;
             };
             let wins = standing
@@ -200,7 +218,8 @@ impl Engine<'_, '_> {
 
     fn standing(&self, graph: u16) -> Standing {
         self.memory
-            .standings
+            .store
+            .standings()
             .get(usize::from(graph))
             .copied()
             .unwrap_or(Standing::FREE)
@@ -213,7 +232,8 @@ impl Engine<'_, '_> {
 
     /// Brings the macro step bits of some graphs up to date.
     fn refresh_macros_of(&mut self, wanted: impl Fn(u16) -> bool) {
-        let program = self.program;
+        let tables = self.tables;
+        let program = tables.program();
         for row in program.macros.iter().filter(|row| wanted(row.graph)) {
             let active = program
                 .graphs

@@ -85,21 +85,6 @@ impl<
             standings: [Standing::FREE; STANDINGS],
         }
     }
-
-    /// The memory, as an engine takes it.
-    pub const fn memory(&mut self) -> Memory<'_> {
-        Memory {
-            image: &mut self.image,
-            numbers: &mut self.numbers,
-            before: &mut self.before,
-            before_scan: &mut self.before_scan,
-            fired: &mut self.fired,
-            passed: &mut self.passed,
-            stack: &mut self.stack,
-            stamps: &mut self.stamps,
-            standings: &mut self.standings,
-        }
-    }
 }
 
 impl<
@@ -118,47 +103,131 @@ impl<
     }
 }
 
-/// The memory of one program, borrowed: from a [`Storage`], or from vectors on a host.
+/// The memory of one program: a [`Storage`], or vectors on a host.
 ///
-/// The lengths that a program needs are in its [`Layout`]; with shorter slices nothing panics, and what has no room
-/// reads as False and 0.
-#[derive(Debug)]
-pub struct Memory<'m> {
+/// The lengths that a program needs are in its [`Layout`]; with less room nothing panics, and what has none reads as
+/// False and 0.
+pub trait Store {
     /// The bits: inputs, situations, variables, outputs, results. [`Layout::words`] words.
-    pub image: &'m mut [u32],
+    fn image(&self) -> &[u32];
+    /// The same, to be written.
+    fn image_mut(&mut self) -> &mut [u32];
     /// The numbers. [`Layout::numbers`] of them.
-    pub numbers: &'m mut [i32],
+    fn numbers(&self) -> &[i32];
+    /// The same, to be written.
+    fn numbers_mut(&mut self) -> &mut [i32];
     /// The situations before this scan (round). [`Layout::situation_words`] words.
-    pub before: &'m mut [u32],
-    /// The situations before this scan. [`Layout::situation_words`] words.
-    pub before_scan: &'m mut [u32],
+    fn before(&self) -> &[u32];
+    /// The same, to be written.
+    fn before_mut(&mut self) -> &mut [u32];
+    /// The situations before this scan, under `stable` and in scan 0. [`Layout::situation_words`] words.
+    fn before_scan(&self) -> &[u32];
+    /// The same, to be written.
+    fn before_scan_mut(&mut self) -> &mut [u32];
     /// The transitions that fired in this round. [`Layout::fired`] words.
-    pub fired: &'m mut [u32],
+    fn fired(&self) -> &[u32];
+    /// The same, to be written.
+    fn fired_mut(&mut self) -> &mut [u32];
     /// The transitions that fired in this scan's rounds so far. [`Layout::passed`] words.
-    pub passed: &'m mut [u32],
+    fn passed(&self) -> &[u32];
+    /// The same, to be written.
+    fn passed_mut(&mut self) -> &mut [u32];
     /// Room for postfix code. [`Layout::stack`] values.
-    pub stack: &'m mut [i32],
+    fn stack(&self) -> &[i32];
+    /// The same, to be written.
+    fn stack_mut(&mut self) -> &mut [i32];
     /// Times of activation and of rise, in ms. [`Layout::stamps`] of them.
-    pub stamps: &'m mut [u64],
+    fn stamps(&self) -> &[u64];
+    /// The same, to be written.
+    fn stamps_mut(&mut self) -> &mut [u64];
     /// One for each graph, if a graph forces or encloses another. [`Layout::standings`] of them.
-    pub standings: &'m mut [Standing],
+    fn standings(&self) -> &[Standing];
+    /// The same, to be written.
+    fn standings_mut(&mut self) -> &mut [Standing];
 }
 
-impl Memory<'_> {
+/// Writes the methods of [`Store`] for a type with fields of the same names.
+#[macro_export]
+macro_rules! stores_in_fields {
+    () => {
+        $crate::stores_in_fields! {
+            image image_mut u32, numbers numbers_mut i32, before before_mut u32, before_scan before_scan_mut u32,
+            fired fired_mut u32, passed passed_mut u32, stack stack_mut i32, stamps stamps_mut u64,
+            standings standings_mut $crate::memory::Standing
+        }
+    };
+    ($($field:ident $field_mut:ident $type:ty),*) => {$(
+        #[inline(always)]
+        fn $field(&self) -> &[$type] {
+            &self.$field
+        }
+        #[inline(always)]
+        fn $field_mut(&mut self) -> &mut [$type] {
+            &mut self.$field
+        }
+    )*};
+}
+
+/// Writes the methods of [`Store`] for a reference to another one.
+macro_rules! stores_in_target {
+    () => {
+        stores_in_target! {
+            image image_mut u32, numbers numbers_mut i32, before before_mut u32, before_scan before_scan_mut u32,
+            fired fired_mut u32, passed passed_mut u32, stack stack_mut i32, stamps stamps_mut u64,
+            standings standings_mut Standing
+        }
+    };
+    ($($field:ident $field_mut:ident $type:ty),*) => {$(
+        #[inline(always)]
+        fn $field(&self) -> &[$type] {
+            (**self).$field()
+        }
+        #[inline(always)]
+        fn $field_mut(&mut self) -> &mut [$type] {
+            (**self).$field_mut()
+        }
+    )*};
+}
+
+impl<
+    const WORDS: usize,
+    const NUMBERS: usize,
+    const SITUATION_WORDS: usize,
+    const STAMPS: usize,
+    const STACK: usize,
+    const FIRED: usize,
+    const PASSED: usize,
+    const STANDINGS: usize,
+> Store for Storage<WORDS, NUMBERS, SITUATION_WORDS, STAMPS, STACK, FIRED, PASSED, STANDINGS>
+{
+    stores_in_fields!();
+}
+
+impl<S: Store> Store for &mut S {
+    stores_in_target!();
+}
+
+/// A store, as the engine works with it.
+#[derive(Debug)]
+pub(crate) struct Memory<S> {
+    pub(crate) store: S,
+}
+
+impl<S: Store> Memory<S> {
     /// Forgets everything, as power-on does.
     pub(crate) fn clear(&mut self) {
-        self.image.fill(0);
-        self.numbers.fill(0);
-        self.before.fill(0);
-        self.before_scan.fill(0);
-        self.fired.fill(0);
-        self.passed.fill(0);
-        self.stamps.fill(NEVER);
-        self.standings.fill(Standing::FREE);
+        self.store.image_mut().fill(0);
+        self.store.numbers_mut().fill(0);
+        self.store.before_mut().fill(0);
+        self.store.before_scan_mut().fill(0);
+        self.store.fired_mut().fill(0);
+        self.store.passed_mut().fill(0);
+        self.store.stamps_mut().fill(NEVER);
+        self.store.standings_mut().fill(Standing::FREE);
     }
 
     pub(crate) fn word(&self, word: usize) -> u32 {
-        self.image.get(word).copied().unwrap_or(0)
+        self.store.image().get(word).copied().unwrap_or(0)
     }
 
     pub(crate) fn bit(&self, bit: Bit) -> bool {
@@ -167,7 +236,7 @@ impl Memory<'_> {
 
     /// Writes a bit and tells whether that changed it.
     pub(crate) fn put_bit(&mut self, bit: Bit, value: bool) -> bool {
-        let Some(word) = self.image.get_mut(bit.word()) else {
+        let Some(word) = self.store.image_mut().get_mut(bit.word()) else {
             return false;
         };
         let new = if value {
@@ -179,88 +248,102 @@ impl Memory<'_> {
     }
 
     pub(crate) fn clear_bit(&mut self, bit: Bit) {
-        if let Some(word) = self.image.get_mut(bit.word()) {
+        if let Some(word) = self.store.image_mut().get_mut(bit.word()) {
             *word &= !bit.mask();
         }
     }
 
     pub(crate) fn raise_bit(&mut self, bit: Bit) {
-        if let Some(word) = self.image.get_mut(bit.word()) {
+        if let Some(word) = self.store.image_mut().get_mut(bit.word()) {
             *word |= bit.mask();
         }
     }
 
     /// Writes a word and tells whether that changed it.
     pub(crate) fn put_word(&mut self, word: usize, value: u32) -> bool {
-        let word = self.image.get_mut(word);
+        let word = self.store.image_mut().get_mut(word);
         word.is_some_and(|word| core::mem::replace(word, value) != value)
     }
 
     pub(crate) fn number(&self, number: Number) -> i32 {
-        self.numbers
-            .get(usize::from(number.0))
+        self.store.numbers().get(usize::from(number.0))
             .copied()
             .unwrap_or(0)
     }
 
     /// Writes a number and tells whether that changed it.
     pub(crate) fn put_number(&mut self, number: Number, value: i32) -> bool {
-        let slot = self.numbers.get_mut(usize::from(number.0));
+        let slot = self.store.numbers_mut().get_mut(usize::from(number.0));
         slot.is_some_and(|slot| core::mem::replace(slot, value) != value)
     }
 
     pub(crate) fn stamp(&self, stamp: Stamp) -> u64 {
-        self.stamps
-            .get(usize::from(stamp.0))
+        self.store.stamps().get(usize::from(stamp.0))
             .copied()
             .unwrap_or(NEVER)
     }
 
     pub(crate) fn set_stamp(&mut self, stamp: Stamp, time_ms: u64) {
-        if let Some(slot) = self.stamps.get_mut(usize::from(stamp.0)) {
+        if let Some(slot) = self.store.stamps_mut().get_mut(usize::from(stamp.0)) {
             *slot = time_ms;
         }
     }
 
     /// A step or macro step bit as it stood before this scan (round).
     pub(crate) fn was_active(&self, layout: &Layout, step: Bit) -> bool {
-        stood(self.before, layout, step)
+        stood(self.store.before(), layout, step)
     }
 
     /// A step bit as scan 0 began, while scan 0 runs.
     pub(crate) fn was_initially_active(&self, layout: &Layout, step: Bit) -> bool {
-        stood(self.before_scan, layout, step)
+        stood(self.store.before_scan(), layout, step)
     }
 
     /// Remembers the situations as those in which scan 0 begins; the situation before it is the empty one.
     pub(crate) fn mark_start(&mut self, layout: &Layout) {
         self.remember(layout);
         self.mark_scan();
-        self.before.fill(0);
+        self.store.before_mut().fill(0);
     }
 
     /// Scan 0 is over: from now on the situation before it is the empty one for all.
     pub(crate) fn forget_start(&mut self) {
-        self.before_scan.fill(0);
+        self.store.before_scan_mut().fill(0);
     }
 
     /// Remembers that a scan begins here; the situations have just been remembered.
     pub(crate) fn mark_scan(&mut self) {
-        for (scan, before) in self.before_scan.iter_mut().zip(self.before.iter()) {
-            *scan = *before;
+        for place in 0..self.store.before().len() {
+            let before = self.store.before().get(place).copied().unwrap_or(0);
+            if let Some(scan) = self.store.before_scan_mut().get_mut(place) {
+                *scan = before;
+            }
         }
-        self.passed.fill(0);
+        self.store.passed_mut().fill(0);
+    }
+
+    /// Notes that what has fired in this round has fired in this scan.
+    pub(crate) fn note_passed(&mut self) {
+        for place in 0..self.store.fired().len() {
+            let fired = self.store.fired().get(place).copied().unwrap_or(0);
+            if let Some(passed) = self.store.passed_mut().get_mut(place) {
+                *passed |= fired;
+            }
+        }
     }
 
     /// Remembers the situations as those before the next round.
     pub(crate) fn remember(&mut self, layout: &Layout) {
         let (steps, macros) = (layout.situations, layout.macros);
-        for (place, before) in self.before.iter_mut().enumerate() {
+        for place in 0..self.store.before().len() {
             let word = match place.checked_sub(usize::from(steps.len)) {
                 None => usize::from(steps.start) + place,
                 Some(place) => usize::from(macros.start) + place,
             };
-            *before = self.image.get(word).copied().unwrap_or(0);
+            let now = self.word(word);
+            if let Some(before) = self.store.before_mut().get_mut(place) {
+                *before = now;
+            }
         }
     }
 }

@@ -148,6 +148,33 @@ pub struct Program<'a> {
     pub retained: &'a [Retained],
 }
 
+impl Program<'_> {
+    /// What a step does beside momentary actions, if it does.
+    pub(crate) fn duties_of(&self, step: &Step) -> Option<&Duties> {
+        match step.duties {
+            0 => None,
+            row => self.duties.get(usize::from(row)),
+        }
+    }
+}
+
+/// Where an engine finds its program.
+///
+/// A reference to a [`Program`] will do anywhere. In an image it is a type without a value for which the compiler
+/// knows the program: where its tables lie, how long they are, which are empty, is then known in the scan and not
+/// looked up.
+pub trait Compiled: Copy {
+    /// The program.
+    fn program(&self) -> &Program<'_>;
+}
+
+impl Compiled for &Program<'_> {
+    #[inline(always)]
+    fn program(&self) -> &Program<'_> {
+        self
+    }
+}
+
 /// What a program calls its things; kept apart so that an image without log lines does not carry it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Names<'a> {

@@ -1,8 +1,8 @@
 //! Edges and timers that remember: evaluated in every scan where they stand (`semantics.md`, "Edges", "Timers").
 
 use crate::engine::Engine;
-use crate::memory::NEVER;
-use crate::program::{Bit, Code, Edge, Run, Stamp, Unit, Watch};
+use crate::memory::{NEVER, Store};
+use crate::program::{Compiled, Bit, Code, Edge, Run, Stamp, Unit, Watch};
 
 /// Which evaluation of the watches it is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -15,10 +15,12 @@ pub(crate) enum Pass {
     Later,
 }
 
-impl Engine<'_, '_> {
+impl<P: Compiled, S: Store> Engine<P, S> {
     /// Evaluates watches in their order, so that an inner one is up to date for the one around it.
     pub(crate) fn watch(&mut self, watches: Run, pass: Pass) {
-        for watch in watches.of(self.program.watches) {
+        let tables = self.tables;
+        let program = tables.program();
+        for watch in watches.of(program.watches) {
             let (value, result) = self.evaluate(watch, pass);
             self.set_bit(result, value);
         }
@@ -26,7 +28,9 @@ impl Engine<'_, '_> {
 
     /// Compares the words of inputs with those of the scan before.
     pub(crate) fn watch_inputs(&mut self, pass: Pass) {
-        for row in self.program.edges {
+        let tables = self.tables;
+        let program = tables.program();
+        for row in program.edges {
             let now = self.memory.word(usize::from(row.word));
             let was = match pass {
                 Pass::Start => now,

@@ -9,7 +9,7 @@ mod program {
     #![allow(unused)]
     include!(concat!(env!("OUT_DIR"), "/program.rs"));
 }
-use program::{INPUTS, OUTPUTS, PROGRAM, Storage};
+use program::{Application, INPUTS, OUTPUTS, Storage};
 
 /// The first 32 Boolean inputs, in declaration order from bit 0.
 #[unsafe(no_mangle)]
@@ -21,15 +21,14 @@ pub static mut bench_out: u32 = 0;
 #[unsafe(no_mangle)]
 pub static mut bench_now_ms: u32 = 0;
 
-static mut STORAGE: Storage = Storage::new();
-static mut ENGINE: MaybeUninit<Engine<'static, 'static>> = MaybeUninit::uninit();
+type Controller = Engine<Application, Storage>;
+static mut ENGINE: MaybeUninit<Controller> = MaybeUninit::uninit();
 
 /// Scan 0.
 #[unsafe(no_mangle)]
 pub extern "C" fn bench_init() {
     unsafe {
-        let storage = &mut *addr_of_mut!(STORAGE);
-        let engine = (*addr_of_mut!(ENGINE)).write(Engine::new(&PROGRAM, storage.memory()));
+        let engine = (*addr_of_mut!(ENGINE)).write(Engine::new(Application, Storage::new()));
         sample(engine);
         engine.start();
         write(engine);
@@ -48,7 +47,7 @@ pub extern "C" fn scan_once() {
     }
 }
 
-unsafe fn sample(engine: &mut Engine<'_, '_>) {
+unsafe fn sample(engine: &mut Controller) {
     let word = unsafe { addr_of!(bench_in).read_volatile() };
     for (place, bit) in INPUTS.iter().enumerate() {
         engine.set_input(*bit, word & (1 << place) != 0);
@@ -56,7 +55,7 @@ unsafe fn sample(engine: &mut Engine<'_, '_>) {
 }
 
 #[inline(never)]
-unsafe fn write(engine: &Engine<'_, '_>) {
+unsafe fn write(engine: &Controller) {
     let mut word = 0;
     for (place, bit) in OUTPUTS.iter().enumerate() {
         word |= u32::from(engine.bit(*bit)) << place;
