@@ -1,7 +1,7 @@
 //! What the compiler hands on: tables for the engine, and what people call the things in them.
 
 use grafcet_core::program::{
-    Arm, Bit, Code, Dependent, Duties, Edges, Enclosing, Event, Evolution, Graph, Layout, Macro,
+    Arm, Bit, Block, Code, Dependent, Duties, Edges, Enclosing, Event, Evolution, Graph, Layout, Macro,
     Momentary, NumberRow, Op, Order, Program, Retained, Run, Slot, Step, Stored, Target, Term,
     Timer, Transition, Watch,
 };
@@ -43,7 +43,7 @@ pub struct Tables {
     pub layout: Layout,
     pub graphs: Vec<Graph>,
     pub hierarchy: Vec<u16>,
-    pub bases: Vec<u16>,
+    pub blocks: Vec<Block>,
     pub steps: Vec<Step>,
     pub duties: Vec<Duties>,
     pub macros: Vec<Macro>,
@@ -55,6 +55,7 @@ pub struct Tables {
     pub orders: Vec<Order>,
     pub sources: Vec<u16>,
     pub lasting_in_steps: bool,
+    pub momentary_varies: bool,
     pub stores_on_change: bool,
     pub stored: Vec<Stored>,
     pub events: Vec<Event>,
@@ -88,7 +89,7 @@ impl Tables {
             layout: self.layout,
             graphs: &self.graphs,
             hierarchy: &self.hierarchy,
-            bases: &self.bases,
+            blocks: &self.blocks,
             steps: &self.steps,
             duties: &self.duties,
             macros: &self.macros,
@@ -100,6 +101,7 @@ impl Tables {
             orders: &self.orders,
             sources: &self.sources,
             lasting_in_steps: self.lasting_in_steps,
+            momentary_varies: self.momentary_varies,
             stores_on_change: self.stores_on_change,
             stored: &self.stored,
             events: &self.events,

@@ -93,6 +93,7 @@ fn storage_type(tables: &Tables) -> TokenStream {
         usize::from(layout.words),
         usize::from(layout.numbers),
         layout.situation_words(),
+        usize::from(layout.remembered),
         usize::from(layout.stamps),
         usize::from(layout.stack),
         usize::from(layout.fired),

@@ -89,10 +89,10 @@ impl<P: Compiled, S: Store> Engine<P, S> {
         }
         self.run_momentary_rows(program.always_momentary);
         let first = usize::from(program.layout.situations.start);
-        for (place, base) in program.bases.iter().enumerate() {
-            let mut steps = self.memory.word(first + place);
+        for (place, block) in program.blocks.iter().enumerate() {
+            let mut steps = self.memory.word(first + place) & block.momentary;
             while steps != 0 {
-                let step = usize::from(*base) + steps.trailing_zeros() as usize;
+                let step = usize::from(block.first) + steps.trailing_zeros() as usize;
                 steps &= steps - 1;
                 if let Some(step) = program.steps.get(step) {
                     self.run_momentary_rows(step.momentary);
@@ -162,7 +162,7 @@ impl<P: Compiled, S: Store> Engine<P, S> {
         let tables = self.tables;
         let program = tables.program();
         let first = usize::from(program.layout.situations.start);
-        for (place, base) in program.bases.iter().enumerate() {
+        for (place, block) in program.blocks.iter().enumerate() {
             let now = self.memory.word(first + place);
             let before = self.memory.store.before().get(place).copied().unwrap_or(0);
             let mut steps = match which {
@@ -170,9 +170,9 @@ impl<P: Compiled, S: Store> Engine<P, S> {
                 Steps::Before => before,
                 Steps::Activated => now & !before,
                 Steps::Deactivated => before & !now,
-            };
+            } & block.duties;
             while steps != 0 {
-                let step = usize::from(*base) + steps.trailing_zeros() as usize;
+                let step = usize::from(block.first) + steps.trailing_zeros() as usize;
                 steps &= steps - 1;
                 let step = program.steps.get(step);
                 if let Some(duties) = step.and_then(|step| program.duties_of(step)) {

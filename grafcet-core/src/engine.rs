@@ -27,8 +27,8 @@ pub struct Engine<P, S> {
     pub(crate) settling: bool,
     /// The latest round marked transitions.
     marked: bool,
-    /// The latest scan fired transitions or changed a situation.
-    moved: bool,
+    /// Momentary variables may have been written from outside.
+    restate: bool,
 }
 
 /// What a scan would find new. The greatest of several news counts.
@@ -54,7 +54,7 @@ impl<P: Compiled, S: Store> Engine<P, S> {
             now_ms: 0,
             settling: false,
             marked: true,
-            moved: true,
+            restate: false,
         };
         let program = tables.program();
         engine.memory.clear();
@@ -167,6 +167,7 @@ impl<P: Compiled, S: Store> Engine<P, S> {
             Slot::Number(number) => self.store_number(number, value),
         }
         self.news = News::Fresh;
+        self.restate = true;
     }
 
     /// Scan 0: initialisation, at time 0.
@@ -215,26 +216,28 @@ impl<P: Compiled, S: Store> Engine<P, S> {
         self.due_ms = NEVER;
         self.now_ms = time_ms;
         self.memory.clear_bit(Bit::FIRST_SCAN);
-        match program.evolution {
+        let moved = match program.evolution {
             Evolution::Scan => self.evolve_once(),
             Evolution::Stable => self.evolve_until_stable(),
-        }
+        };
         self.run_lasting();
-        self.run_momentary();
+        if moved || program.momentary_varies || self.restate {
+            self.restate = false;
+            self.run_momentary();
+        }
     }
 
-    /// Phases 2 to 6, but for the statements that follow no change.
-    fn evolve_once(&mut self) {
+    /// Phases 2 to 6, but for the statements that follow no change. True when a transition has fired or a situation
+    /// has changed.
+    fn evolve_once(&mut self) -> bool {
         let tables = self.tables;
         let program = tables.program();
-        if self.moved {
-            self.memory.remember(&program.layout);
-        }
-        self.moved = self.evolve(Pass::First);
+        let moved = self.evolve(Pass::First);
         self.watch(program.action_watches, Pass::First);
-        if self.moved || !program.events.is_empty() {
+        if moved || !program.events.is_empty() {
             self.run_changes();
         }
+        moved
     }
 
     /// Phases 2 to 5, once. True when a transition has fired or a situation has changed.
@@ -243,6 +246,7 @@ impl<P: Compiled, S: Store> Engine<P, S> {
         let program = tables.program();
         self.watch_inputs(pass);
         self.watch(program.trigger_watches, pass);
+        self.memory.remember_macros(&program.layout);
         if self.marked {
             clear(self.memory.store.fired_mut());
         }
@@ -267,19 +271,16 @@ impl<P: Compiled, S: Store> Engine<P, S> {
 
     /// Rounds of phases 2 to 5 with the statements that belong to a change, until nothing fires or the situation is
     /// the one before the round. When the last permitted round still changed it, the program is unstable.
-    fn evolve_until_stable(&mut self) {
+    /// True when a transition has fired or a situation has changed in one of them.
+    fn evolve_until_stable(&mut self) -> bool {
         let tables = self.tables;
         let program = tables.program();
-        self.memory.remember(&program.layout);
-        self.memory.mark_scan();
+        self.memory.mark_scan(&program.layout);
         let mut pass = Pass::First;
+        let mut moved = false;
         let mut settled = false;
         for _ in 0..MAX_ROUNDS {
-            // The scan has remembered what is before its first round.
-            if pass == Pass::Later {
-                self.memory.remember(&program.layout);
-            }
-            self.evolve(pass);
+            moved |= self.evolve(pass);
             self.memory.note_passed();
             if pass == Pass::First {
                 self.watch(program.round_watches, pass);
@@ -293,6 +294,7 @@ impl<P: Compiled, S: Store> Engine<P, S> {
         }
         self.set_bit(Bit::UNSTABLE, !settled);
         self.watch(program.action_watches, Pass::First);
+        moved
     }
 
     fn any_changed(&self) -> bool {

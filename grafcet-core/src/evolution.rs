@@ -2,24 +2,31 @@
 
 use crate::engine::Engine;
 use crate::memory::Store;
-use crate::program::{Compiled, Run, Transition};
+use crate::program::{Compiled, Crossing, Run, Transition};
 
 impl<P: Compiled, S: Store> Engine<P, S> {
     /// Marks every armed transition whose trigger is True, and tells whether there is one. The situations stay as
-    /// they are meanwhile, so that all transitions see the same one.
+    /// they are meanwhile, so that all transitions see the same one; the next ones are made beside them.
     pub(crate) fn mark_fired(&mut self) -> bool {
         let tables = self.tables;
         let program = tables.program();
         let first = usize::from(program.layout.situations.start);
         let mut any = false;
-        for (place, base) in program.bases.iter().enumerate() {
-            let mut steps = self.memory.word(first + place);
+        for (place, block) in program.blocks.iter().enumerate() {
+            let now = self.memory.word(first + place);
+            let mut marked = Marked::default();
+            let mut steps = now;
             while steps != 0 {
-                let step = usize::from(*base) + steps.trailing_zeros() as usize;
+                let step = usize::from(block.first) + steps.trailing_zeros() as usize;
                 steps &= steps - 1;
                 if let Some(step) = program.steps.get(step) {
-                    any |= self.mark_run(step.arms);
+                    self.mark_run(step.arms, &mut marked);
                 }
+            }
+            any |= marked.any;
+            let next = now & !marked.leaves | marked.enters;
+            if let Some(word) = self.memory.store.before_mut().get_mut(place) {
+                *word = next;
             }
         }
         any | self.mark_sources()
@@ -32,57 +39,83 @@ impl<P: Compiled, S: Store> Engine<P, S> {
         let mut any = false;
         for graph in program.sources {
             let graph = program.graphs.get(usize::from(*graph));
-            if let Some(graph) = graph.filter(|graph| self.is_alive(graph)) {
-                any |= self.mark_run(graph.sources);
+            let Some(graph) = graph.filter(|graph| self.is_alive(graph)) else {
+                continue;
+            };
+            let mut marked = Marked::default();
+            self.mark_run(graph.sources, &mut marked);
+            any |= marked.any;
+            let place = graph.words.start - program.layout.situations.start.min(graph.words.start);
+            let word = self.memory.store.before_mut().get_mut(usize::from(place));
+            if let Some(word) = word {
+                *word |= marked.enters;
             }
         }
         any
     }
 
-    fn mark_run(&mut self, arms: Run) -> bool {
+    fn mark_run(&mut self, arms: Run, marked: &mut Marked) {
         let tables = self.tables;
         let program = tables.program();
-        let mut any = false;
-        if let Some(arms) = arms.some(program.arms) {
-            for arm in arms {
-                if arm.first.holds(self.memory.store.image()) {
-                    any |= self.mark(usize::from(arm.transition));
-                }
-            }
-        }
-        any
-    }
-
-    /// Marks a transition whose first term holds if all else holds.
-    fn mark(&mut self, index: usize) -> bool {
-        let tables = self.tables;
-        let program = tables.program();
-        let Some(transition) = program.transitions.get(index) else {
-            return false;
+        let Some(arms) = arms.some(program.arms) else {
+            return;
         };
-        let fires = self.holds(&transition.fires);
-        if fires && let Some(word) = self.memory.store.fired_mut().get_mut(index / 32) {
-            *word |= 1 << (index % 32);
+        for arm in arms {
+            let word = self.memory.store.image().get(usize::from(arm.word));
+            if word.is_none_or(|word| word & arm.mask != arm.state) {
+                continue;
+            }
+            let row = usize::from(arm.transition);
+            let Some(transition) = program.transitions.get(row) else {
+                continue;
+            };
+            if self.holds(&transition.fires) {
+                self.mark(row);
+                marked.add(&transition.crossing);
+            }
         }
-        fires
+    }
+
+    fn mark(&mut self, transition: usize) {
+        let word = self.memory.store.fired_mut().get_mut(transition / 32);
+        if let Some(word) = word {
+            *word |= 1 << (transition % 32);
+        }
     }
 
     /// Fires all marked transitions together: first every entrance step is left, then every exit step is entered, so
-    /// that activation has priority (IEC 60848 rule 5).
+    /// that activation has priority (IEC 60848 rule 5). The situations before are kept.
     pub(crate) fn fire(&mut self) {
         let tables = self.tables;
         let program = tables.program();
-        self.for_each_fired(|engine, transition| {
-            if let Some(steps) = transition.entrance.some(program.links) {
-                for step in steps {
-                    engine.memory.clear_bit(*step);
-                }
+        // With graphs of few steps alone, the next situations are complete.
+        if !program.links.is_empty() {
+            self.cross(|entrance, _| entrance, |word, bit| word & !bit);
+            self.cross(|_, exit| exit, |word, bit| word | bit);
+        }
+        let first = usize::from(program.layout.situations.start);
+        for place in 0..program.blocks.len() {
+            let now = self.memory.word(first + place);
+            let next = self.memory.store.before_mut().get_mut(place);
+            if let Some(next) = next {
+                let next = core::mem::replace(next, now);
+                self.memory.put_word(first + place, next);
             }
-        });
+        }
+    }
+
+    /// Changes the next situation by the steps on one side of every marked transition of a graph with many steps.
+    fn cross(&mut self, side: impl Fn(Run, Run) -> Run, change: impl Fn(u32, u32) -> u32) {
+        let tables = self.tables;
+        let program = tables.program();
         self.for_each_fired(|engine, transition| {
-            if let Some(steps) = transition.exit.some(program.links) {
-                for step in steps {
-                    engine.memory.raise_bit(*step);
+            let Crossing::Across { entrance, exit } = transition.crossing else {
+                return;
+            };
+            for step in side(entrance, exit).of(program.links) {
+                let place = step.word() - usize::from(program.layout.situations.start).min(step.word());
+                if let Some(word) = engine.memory.store.before_mut().get_mut(place) {
+                    *word = change(*word, step.mask());
                 }
             }
         });
@@ -115,6 +148,24 @@ impl<P: Compiled, S: Store> Engine<P, S> {
             if let Some(word) = self.memory.store.fired_mut().get_mut(index / 32) {
                 *word &= !(1 << (index % 32));
             }
+        }
+    }
+}
+
+/// What the marked transitions of one graph do to its word.
+#[derive(Default)]
+struct Marked {
+    any: bool,
+    leaves: u32,
+    enters: u32,
+}
+
+impl Marked {
+    fn add(&mut self, crossing: &Crossing) {
+        self.any = true;
+        if let Crossing::Within { leaves, enters } = crossing {
+            self.leaves |= leaves;
+            self.enters |= enters;
         }
     }
 }

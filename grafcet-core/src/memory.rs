@@ -42,6 +42,7 @@ pub struct Storage<
     const WORDS: usize,
     const NUMBERS: usize,
     const SITUATION_WORDS: usize,
+    const REMEMBERED: usize,
     const STAMPS: usize,
     const STACK: usize,
     const FIRED: usize,
@@ -51,7 +52,7 @@ pub struct Storage<
     image: [u32; WORDS],
     numbers: [i32; NUMBERS],
     before: [u32; SITUATION_WORDS],
-    before_scan: [u32; SITUATION_WORDS],
+    before_scan: [u32; REMEMBERED],
     fired: [u32; FIRED],
     passed: [u32; PASSED],
     stack: [i32; STACK],
@@ -63,12 +64,13 @@ impl<
     const WORDS: usize,
     const NUMBERS: usize,
     const SITUATION_WORDS: usize,
+    const REMEMBERED: usize,
     const STAMPS: usize,
     const STACK: usize,
     const FIRED: usize,
     const PASSED: usize,
     const STANDINGS: usize,
-> Storage<WORDS, NUMBERS, SITUATION_WORDS, STAMPS, STACK, FIRED, PASSED, STANDINGS>
+> Storage<WORDS, NUMBERS, SITUATION_WORDS, REMEMBERED, STAMPS, STACK, FIRED, PASSED, STANDINGS>
 {
     /// Memory in which nothing has happened.
     #[must_use]
@@ -77,7 +79,7 @@ impl<
             image: [0; WORDS],
             numbers: [0; NUMBERS],
             before: [0; SITUATION_WORDS],
-            before_scan: [0; SITUATION_WORDS],
+            before_scan: [0; REMEMBERED],
             fired: [0; FIRED],
             passed: [0; PASSED],
             stack: [0; STACK],
@@ -91,12 +93,13 @@ impl<
     const WORDS: usize,
     const NUMBERS: usize,
     const SITUATION_WORDS: usize,
+    const REMEMBERED: usize,
     const STAMPS: usize,
     const STACK: usize,
     const FIRED: usize,
     const PASSED: usize,
     const STANDINGS: usize,
-> Default for Storage<WORDS, NUMBERS, SITUATION_WORDS, STAMPS, STACK, FIRED, PASSED, STANDINGS>
+> Default for Storage<WORDS, NUMBERS, SITUATION_WORDS, REMEMBERED, STAMPS, STACK, FIRED, PASSED, STANDINGS>
 {
     fn default() -> Self {
         Self::new()
@@ -116,11 +119,12 @@ pub trait Store {
     fn numbers(&self) -> &[i32];
     /// The same, to be written.
     fn numbers_mut(&mut self) -> &mut [i32];
-    /// The situations before this scan (round). [`Layout::situation_words`] words.
+    /// The situations before this scan (round), and while transitions are marked the next ones.
+    /// [`Layout::situation_words`] words.
     fn before(&self) -> &[u32];
     /// The same, to be written.
     fn before_mut(&mut self) -> &mut [u32];
-    /// The situations before this scan, under `stable` and in scan 0. [`Layout::situation_words`] words.
+    /// The situations before this scan. [`Layout::remembered`] words.
     fn before_scan(&self) -> &[u32];
     /// The same, to be written.
     fn before_scan_mut(&mut self) -> &mut [u32];
@@ -193,12 +197,13 @@ impl<
     const WORDS: usize,
     const NUMBERS: usize,
     const SITUATION_WORDS: usize,
+    const REMEMBERED: usize,
     const STAMPS: usize,
     const STACK: usize,
     const FIRED: usize,
     const PASSED: usize,
     const STANDINGS: usize,
-> Store for Storage<WORDS, NUMBERS, SITUATION_WORDS, STAMPS, STACK, FIRED, PASSED, STANDINGS>
+> Store for Storage<WORDS, NUMBERS, SITUATION_WORDS, REMEMBERED, STAMPS, STACK, FIRED, PASSED, STANDINGS>
 {
     stores_in_fields!();
 }
@@ -301,8 +306,7 @@ impl<S: Store> Memory<S> {
 
     /// Remembers the situations as those in which scan 0 begins; the situation before it is the empty one.
     pub(crate) fn mark_start(&mut self, layout: &Layout) {
-        self.remember(layout);
-        self.mark_scan();
+        self.mark_scan(layout);
         self.store.before_mut().fill(0);
     }
 
@@ -311,12 +315,16 @@ impl<S: Store> Memory<S> {
         self.store.before_scan_mut().fill(0);
     }
 
-    /// Remembers that a scan begins here; the situations have just been remembered.
-    pub(crate) fn mark_scan(&mut self) {
-        for place in 0..self.store.before().len() {
-            let before = self.store.before().get(place).copied().unwrap_or(0);
-            if let Some(scan) = self.store.before_scan_mut().get_mut(place) {
-                *scan = before;
+    /// Remembers that a scan begins here.
+    pub(crate) fn mark_scan(&mut self, layout: &Layout) {
+        for place in 0..self.store.before_scan().len() {
+            let word = match place.checked_sub(usize::from(layout.situations.len)) {
+                None => usize::from(layout.situations.start) + place,
+                Some(place) => usize::from(layout.macros.start) + place,
+            };
+            let now = self.word(word);
+            if let Some(before) = self.store.before_scan_mut().get_mut(place) {
+                *before = now;
             }
         }
         self.store.passed_mut().fill(0);
@@ -324,7 +332,7 @@ impl<S: Store> Memory<S> {
 
     /// Notes that what has fired in this round has fired in this scan.
     pub(crate) fn note_passed(&mut self) {
-        for place in 0..self.store.fired().len() {
+        for place in 0..self.store.passed().len() {
             let fired = self.store.fired().get(place).copied().unwrap_or(0);
             if let Some(passed) = self.store.passed_mut().get_mut(place) {
                 *passed |= fired;
@@ -332,16 +340,12 @@ impl<S: Store> Memory<S> {
         }
     }
 
-    /// Remembers the situations as those before the next round.
-    pub(crate) fn remember(&mut self, layout: &Layout) {
-        let (steps, macros) = (layout.situations, layout.macros);
-        for place in 0..self.store.before().len() {
-            let word = match place.checked_sub(usize::from(steps.len)) {
-                None => usize::from(steps.start) + place,
-                Some(place) => usize::from(macros.start) + place,
-            };
-            let now = self.word(word);
-            if let Some(before) = self.store.before_mut().get_mut(place) {
+    /// Remembers the macro steps as those before the next round; the situations are remembered when they change.
+    pub(crate) fn remember_macros(&mut self, layout: &Layout) {
+        for place in 0..usize::from(layout.macros.len) {
+            let now = self.word(usize::from(layout.macros.start) + place);
+            let before = usize::from(layout.situations.len) + place;
+            if let Some(before) = self.store.before_mut().get_mut(before) {
                 *before = now;
             }
         }

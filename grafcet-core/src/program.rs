@@ -11,7 +11,7 @@ mod rows;
 pub use expression::{Code, Condition, Edge, Edges, Op, Preset, Rest, Term, Timer, Unit, Watch};
 pub use place::{Bit, Number, Run, Slot, Stamp};
 pub use rows::{
-    Arm, Assignment, Dependent, Duties, Enclosing, Event, Forced, Graph, Macro, Momentary,
+    Arm, Assignment, Block, Crossing, Dependent, Duties, Enclosing, Event, Forced, Graph, Macro, Momentary,
     NumberRow, Order, Retained, Step, Stored, Target, Transition,
 };
 
@@ -52,6 +52,8 @@ pub struct Layout {
     pub fired: u16,
     /// Words with one bit for each transition that fired in an earlier round; none unless it evolves `stable`.
     pub passed: u16,
+    /// Words with the situations before the scan: none unless it evolves `stable` or a step encloses a graph.
+    pub remembered: u16,
     /// Graphs whose standing in the hierarchy is kept; none when no graph forces or encloses another.
     pub standings: u16,
 }
@@ -82,8 +84,8 @@ pub struct Program<'a> {
     pub graphs: &'a [Graph],
     /// Indices of the graphs in the order of phase 4: superiors first.
     pub hierarchy: &'a [u16],
-    /// For each word of [`Layout::situations`], the row of the step that is its lowest bit.
-    pub bases: &'a [u16],
+    /// For each word of [`Layout::situations`], whose steps they are.
+    pub blocks: &'a [Block],
     /// The steps of all graphs.
     pub steps: &'a [Step],
     /// What steps do beside momentary actions; row 0 does nothing.
@@ -92,7 +94,7 @@ pub struct Program<'a> {
     pub macros: &'a [Macro],
     /// The transitions of all graphs.
     pub transitions: &'a [Transition],
-    /// Runs of bits: entrances and exits of transitions.
+    /// Runs of bits: entrances and exits of the transitions of graphs with more than 32 steps.
     pub links: &'a [Bit],
     /// Transitions: those that each step arms first, those of each graph without entrance.
     pub arms: &'a [Arm],
@@ -106,6 +108,8 @@ pub struct Program<'a> {
     pub sources: &'a [u16],
     /// Whether a step has stored statements without `on`.
     pub lasting_in_steps: bool,
+    /// Whether a momentary action has a condition, so that momentary variables change while the situation stays.
+    pub momentary_varies: bool,
     /// Whether a transition has a `do` block, or a step statements on its activation or deactivation.
     pub stores_on_change: bool,
     /// Stored statements.

@@ -94,13 +94,14 @@ impl Unsound {
 /// # use grafcet_core::soundness::demand;
 /// # const LAYOUT: Layout = Layout {
 /// #     words: 1, inputs: Run::EMPTY, situations: Run::EMPTY, macros: Run::EMPTY, momentary: Run::EMPTY,
-/// #     number_inputs: Run::EMPTY, outside: Run::EMPTY, numbers: 0, stamps: 0, stack: 0, fired: 0, passed: 0, standings: 0,
+/// #     number_inputs: Run::EMPTY, outside: Run::EMPTY, numbers: 0, stamps: 0, stack: 0, fired: 0, passed: 0,
+/// #     remembered: 0, standings: 0,
 /// # };
 /// # const EMPTY: Program<'static> = Program {
 /// #     period_ms: 10, evolution: Evolution::Scan, fingerprint: 0, layout: LAYOUT, graphs: &[], hierarchy: &[],
-/// #     bases: &[], steps: &[], duties: &[], macros: &[], transitions: &[], links: &[], arms: &[],
+/// #     blocks: &[], steps: &[], duties: &[], macros: &[], transitions: &[], links: &[], arms: &[],
 /// #     situations: &[], enclosings: &[], orders: &[], sources: &[], lasting_in_steps: false,
-/// #     stores_on_change: false, stored: &[], events: &[], always_stored: Run::EMPTY, targets: &[], momentary: &[], always_momentary: Run::EMPTY,
+/// #     momentary_varies: false, stores_on_change: false, stored: &[], events: &[], always_stored: Run::EMPTY, targets: &[], momentary: &[], always_momentary: Run::EMPTY,
 /// #     dependent: &[], edges: &[], watches: &[], trigger_watches: Run::EMPTY, round_watches: Run::EMPTY,
 /// #     action_watches: Run::EMPTY, terms: &[], timers: &[], codes: &[], ops: &[], numbers: &[],
 /// #     initially_true: &[], retained: &[],
@@ -116,13 +117,14 @@ impl Unsound {
 /// # use grafcet_core::soundness::demand;
 /// # const LAYOUT: Layout = Layout {
 /// #     words: 1, inputs: Run::EMPTY, situations: Run::EMPTY, macros: Run::EMPTY, momentary: Run::EMPTY,
-/// #     number_inputs: Run::EMPTY, outside: Run::EMPTY, numbers: 0, stamps: 0, stack: 0, fired: 0, passed: 0, standings: 0,
+/// #     number_inputs: Run::EMPTY, outside: Run::EMPTY, numbers: 0, stamps: 0, stack: 0, fired: 0, passed: 0,
+/// #     remembered: 0, standings: 0,
 /// # };
 /// # const EMPTY: Program<'static> = Program {
 /// #     period_ms: 10, evolution: Evolution::Scan, fingerprint: 0, layout: LAYOUT, graphs: &[], hierarchy: &[],
-/// #     bases: &[], steps: &[], duties: &[], macros: &[], transitions: &[], links: &[], arms: &[],
+/// #     blocks: &[], steps: &[], duties: &[], macros: &[], transitions: &[], links: &[], arms: &[],
 /// #     situations: &[], enclosings: &[], orders: &[], sources: &[], lasting_in_steps: false,
-/// #     stores_on_change: false, stored: &[], events: &[], always_stored: Run::EMPTY, targets: &[], momentary: &[], always_momentary: Run::EMPTY,
+/// #     momentary_varies: false, stores_on_change: false, stored: &[], events: &[], always_stored: Run::EMPTY, targets: &[], momentary: &[], always_momentary: Run::EMPTY,
 /// #     dependent: &[], edges: &[], watches: &[], trigger_watches: Run::EMPTY, round_watches: Run::EMPTY,
 /// #     action_watches: Run::EMPTY, terms: &[], timers: &[], codes: &[], ops: &[], numbers: &[],
 /// #     initially_true: &[], retained: &[],
@@ -143,12 +145,13 @@ impl<
     const WORDS: usize,
     const NUMBERS: usize,
     const SITUATION_WORDS: usize,
+    const REMEMBERED: usize,
     const STAMPS: usize,
     const STACK: usize,
     const FIRED: usize,
     const PASSED: usize,
     const STANDINGS: usize,
-> Storage<WORDS, NUMBERS, SITUATION_WORDS, STAMPS, STACK, FIRED, PASSED, STANDINGS>
+> Storage<WORDS, NUMBERS, SITUATION_WORDS, REMEMBERED, STAMPS, STACK, FIRED, PASSED, STANDINGS>
 {
     /// True when the memory has exactly the places that the program's layout asks for.
     #[must_use]
@@ -157,6 +160,7 @@ impl<
         WORDS == layout.words as usize
             && NUMBERS == layout.numbers as usize
             && SITUATION_WORDS == layout.situation_words()
+            && REMEMBERED == layout.remembered as usize
             && STAMPS == layout.stamps as usize
             && STACK == layout.stack as usize
             && FIRED == layout.fired as usize
@@ -264,7 +268,13 @@ impl Program<'_> {
                 } else {
                     self.graphs.len()
                 }
-            && self.bases.len() == layout.situations.len as usize
+            && layout.remembered as usize
+                == if self.enclosings.is_empty() && matches!(self.evolution, Evolution::Scan) {
+                    0
+                } else {
+                    layout.situation_words()
+                }
+            && self.blocks.len() == layout.situations.len as usize
             && self.always_stored.is_within(self.stored.len())
             && self.always_momentary.is_within(self.momentary.len())
             && self.trigger_watches.is_within(self.watches.len())
@@ -309,7 +319,7 @@ impl Program<'_> {
             && graph.steps.is_within(self.steps.len())
             && graph.transitions.is_within(self.transitions.len())
             && graph.sources.is_within(self.arms.len())
-            && self.bases_are_sound(graph)
+            && self.blocks_are_sound(graph)
             && graph.enclosings.is_within(self.enclosings.len())
             && graph.orders.is_within(self.orders.len())
             && graph.self_orders.is_within(self.orders.len())
@@ -318,13 +328,26 @@ impl Program<'_> {
             && self.situation_is_sound(graph, graph.initial)
     }
 
-    /// Whether the words of a graph lead to its own steps.
-    const fn bases_are_sound(&self, graph: &Graph) -> bool {
+    /// Whether the words of a graph lead to its own steps, and to all of them that act.
+    const fn blocks_are_sound(&self, graph: &Graph) -> bool {
         let mut i = 0;
         while i < graph.words.len as usize {
             let word = graph.words.start as usize + i - self.layout.situations.start as usize;
-            if word >= self.bases.len()
-                || self.bases[word] as usize != graph.steps.start as usize + i * 32
+            if word >= self.blocks.len()
+                || self.blocks[word].first as usize != graph.steps.start as usize + i * 32
+            {
+                return false;
+            }
+            i += 1;
+        }
+        let mut i = 0;
+        while i < graph.steps.len as usize {
+            let word = graph.words.start as usize + i / 32 - self.layout.situations.start as usize;
+            let step = &self.steps[graph.steps.start as usize + i];
+            let mask = 1 << (i % 32);
+            let block = &self.blocks[word];
+            if (step.momentary.len > 0) != (block.momentary & mask != 0)
+                || (step.duties > 0) != (block.duties & mask != 0)
             {
                 return false;
             }

@@ -1,7 +1,7 @@
 //! Rows and tables as Rust expressions.
 
 use grafcet_core::program::{
-    Arm, Assignment, Bit, Code, Condition, Dependent, Duties, Edge, Edges, Enclosing, Event, Evolution,
+    Arm, Assignment, Bit, Block, Code, Condition, Crossing, Dependent, Duties, Edge, Edges, Enclosing, Event, Evolution,
     Forced, Graph, Layout, Macro, Momentary, Number, NumberRow, Op, Order, Preset, Rest, Retained,
     Run, Slot, Stamp, Step, Stored, Target, Term, Timer, Transition, Unit, Watch,
 };
@@ -31,23 +31,24 @@ macro_rules! structs {
 
 structs! {
     Tables => Program {
-        period_ms evolution fingerprint layout graphs hierarchy bases steps duties macros transitions links arms
-        situations enclosings orders sources lasting_in_steps stores_on_change stored events always_stored
+        period_ms evolution fingerprint layout graphs hierarchy blocks steps duties macros transitions links arms
+        situations enclosings orders sources lasting_in_steps momentary_varies stores_on_change stored events always_stored
         targets momentary always_momentary dependent edges watches trigger_watches round_watches action_watches terms timers codes ops numbers
         initially_true retained
     }
     Layout => Layout {
         words inputs situations macros momentary number_inputs outside numbers stamps stack fired passed
-        standings
+        remembered standings
     }
     Graph => Graph {
         steps words transitions sources initial enclosings orders self_orders watches self_watches
     }
     Step => Step { arms momentary duties }
     Duties => Duties { stored on_activation on_deactivation on_event orders activated }
-    Arm => Arm { first transition }
+    Block => Block { first momentary duties }
+    Arm => Arm { transition word mask state }
     Macro => Macro { bit graph steps activated }
-    Transition => Transition { entrance exit fires actions }
+    Transition => Transition { fires crossing actions }
     Enclosing => Enclosing { step situation at_start }
     Order => Order { graph rank situation condition }
     Stored => Stored { assignment condition }
@@ -76,6 +77,14 @@ macro_rules! indices {
 }
 
 indices! { Bit Number Stamp }
+
+/// A variant with named fields is the literals of its fields.
+macro_rules! variant {
+    ($enum:ident::$variant:ident { $($field:ident),* }) => {{
+        $(let $field = $field.literal();)*
+        quote!($enum::$variant { $($field: #$field),* })
+    }};
+}
 
 /// An enum without fields is a path.
 macro_rules! names {
@@ -187,6 +196,15 @@ impl Row for Rest {
     }
 }
 
+impl Row for Crossing {
+    fn literal(&self) -> TokenStream {
+        match self {
+            Crossing::Within { leaves, enters } => variant!(Crossing::Within { leaves, enters }),
+            Crossing::Across { entrance, exit } => variant!(Crossing::Across { entrance, exit }),
+        }
+    }
+}
+
 impl Row for Preset {
     fn literal(&self) -> TokenStream {
         match self {
@@ -227,14 +245,6 @@ impl Row for Assignment {
             }
         }
     }
-}
-
-/// A variant with named fields is the literals of its fields.
-macro_rules! variant {
-    ($enum:ident::$variant:ident { $($field:ident),* }) => {{
-        $(let $field = $field.literal();)*
-        quote!($enum::$variant { $($field: #$field),* })
-    }};
 }
 
 impl Row for Watch {

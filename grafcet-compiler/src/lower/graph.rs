@@ -3,7 +3,8 @@
 use std::collections::BTreeMap;
 
 use grafcet_core::program::{
-    Arm, Duties, Enclosing, Forced, Graph, Macro, Order, Run, Stamp, Step, Transition,
+    Arm, Block, Crossing, Duties, Enclosing, Forced, Graph, Macro, Order, Run, Stamp, Step, Term,
+    Transition,
 };
 
 use super::atoms::Atom;
@@ -38,7 +39,7 @@ pub(super) struct Structure {
     pub hierarchy: Vec<u16>,
     pub steps: Vec<Step>,
     pub duties: Vec<Duties>,
-    pub bases: Vec<u16>,
+    pub blocks: Vec<Block>,
     pub macros: Vec<Macro>,
     pub arms: Vec<Arm>,
     /// Graphs with transitions without entrance steps.
@@ -66,8 +67,7 @@ impl Lowering<'_> {
 
     fn transition(&mut self, id: TransitionId) -> Transition {
         let transition = &self.model[id];
-        let entrance = self.link(&transition.entrance);
-        let exit = self.link(&transition.exit);
+        let crossing = self.crossing(transition);
         let (node, span) = match &transition.trigger {
             Trigger::Always | Trigger::Unknown => (Node::Constant(1), self.model.span),
             Trigger::Expression(trigger) => (self.node(trigger, Context::Trigger), trigger.span),
@@ -80,10 +80,27 @@ impl Lowering<'_> {
         self.rows.firsts.push(fires.first);
         let actions = self.stored(&transition.action.stored, self.change());
         Transition {
-            entrance,
-            exit,
             fires: fires.condition,
+            crossing,
             actions,
+        }
+    }
+
+    fn crossing(&mut self, transition: &model::Transition) -> Crossing {
+        let own = &self.model[transition.graph].steps;
+        if own.len() > 32 {
+            return Crossing::Across {
+                entrance: self.link(&transition.entrance),
+                exit: self.link(&transition.exit),
+            };
+        }
+        let mask = |steps: &[StepId]| {
+            let bits = steps.iter().map(|step| 1 << (step.0 - own.start));
+            bits.fold(0, |mask, bit: u32| mask | bit)
+        };
+        Crossing::Within {
+            leaves: mask(&transition.entrance),
+            enters: mask(&transition.exit),
         }
     }
 
@@ -242,7 +259,7 @@ impl Lowering<'_> {
             hierarchy: self.hierarchy(),
             steps: Vec::with_capacity(self.rows.steps.len()),
             duties: Vec::new(),
-            bases: Vec::new(),
+            blocks: Vec::new(),
             macros: Vec::new(),
             arms: Vec::new(),
             sources: Vec::new(),
@@ -276,10 +293,14 @@ impl Lowering<'_> {
             structure
                 .arms
                 .extend(sources.iter().map(|row| self.arm(*row)));
-            let words = graph.steps.clone().step_by(32);
-            structure
-                .bases
-                .extend(words.map(|step| index(step - first_step)));
+            let own = graph.steps.start - first_step..graph.steps.end - first_step;
+            let steps = structure.steps.get(own.clone()).unwrap_or_default();
+            structure.blocks.extend(
+                steps
+                    .chunks(32)
+                    .zip(own.step_by(32))
+                    .map(|(steps, first)| block(index(first), steps)),
+            );
             let orders = orders.get(row).copied().unwrap_or_default();
             structure.graphs.push(Graph {
                 steps: rows(graph.steps.clone(), first_step),
@@ -309,9 +330,12 @@ impl Lowering<'_> {
 
     fn arm(&self, transition: u16) -> Arm {
         let first = self.rows.firsts.get(usize::from(transition));
+        let Term { word, mask, state } = first.copied().unwrap_or(NO_TERM);
         Arm {
-            first: first.copied().unwrap_or(NO_TERM),
             transition,
+            word,
+            mask,
+            state,
         }
     }
 
@@ -321,6 +345,19 @@ impl Lowering<'_> {
             .into_iter()
             .map(|graph| index(self.graph_row(graph)))
             .collect()
+    }
+}
+
+/// Steps that share a word.
+fn block(first: u16, steps: &[Step]) -> Block {
+    let mask = |acts: fn(&Step) -> bool| {
+        let bits = steps.iter().enumerate().filter(|(_, step)| acts(step));
+        bits.fold(0, |mask, (place, _)| mask | 1 << place)
+    };
+    Block {
+        first,
+        momentary: mask(|step| step.momentary.len > 0),
+        duties: mask(|step| step.duties > 0),
     }
 }
 

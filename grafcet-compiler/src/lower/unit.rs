@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use grafcet_core::program::{
-    Bit, Dependent, Enclosing, Event, Evolution, Momentary, Order, Run, Stamp, Stored, Term, Transition,
+    Bit, Condition, Dependent, Enclosing, Event, Evolution, Momentary, Order, Run, Stamp, Stored, Term, Transition,
 };
 
 use super::atoms::Atom;
@@ -152,6 +152,9 @@ impl<'m> Lowering<'m> {
             Evolution::Scan => 0,
             Evolution::Stable => layout.fired,
         };
+        if evolution == Evolution::Stable || !self.rows.enclosings.is_empty() {
+            layout.remembered = index(layout.situation_words());
+        }
         if !self.rows.orders.is_empty() || !self.rows.enclosings.is_empty() {
             layout.standings = index(structure.graphs.len());
         }
@@ -163,9 +166,14 @@ impl<'m> Lowering<'m> {
             layout,
             graphs: structure.graphs,
             hierarchy: structure.hierarchy,
-            bases: structure.bases,
+            blocks: structure.blocks,
             steps: structure.steps,
             lasting_in_steps: structure.duties.iter().any(|row| row.stored.len > 0),
+            momentary_varies: !rows.dependent.is_empty()
+                || rows
+                    .momentary
+                    .iter()
+                    .any(|row| row.condition != Condition::ALWAYS),
             stores_on_change: structure
                 .duties
                 .iter()

@@ -1,6 +1,6 @@
 //! The rows of the tables: graphs, steps, transitions, orders and statements.
 
-use super::{Bit, Code, Condition, Number, Run, Slot, Stamp, Term};
+use super::{Bit, Code, Condition, Number, Run, Slot, Stamp};
 
 /// A graph: a run of steps, a run of transitions and the words of its situation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -68,27 +68,59 @@ pub struct Macro {
     pub activated: Option<Stamp>,
 }
 
+/// 32 steps of one graph, or its last ones: those that share a word of the image.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Block {
+    /// Row of [`Program::steps`](super::Program::steps): the step that is the lowest bit.
+    pub first: u16,
+    /// The steps that have momentary actions.
+    pub momentary: u32,
+    /// The steps that do something else, a row of [`Program::duties`](super::Program::duties).
+    pub duties: u32,
+}
+
 /// A transition as its first entrance step sees it: armed, unless its first term says otherwise.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Arm {
-    /// The first term of all that the transition asks for beside that step.
-    pub first: Term,
     /// Row of [`Program::transitions`](super::Program::transitions).
     pub transition: u16,
+    /// Word of the image of the first term of all that the transition asks for beside that step.
+    pub word: u16,
+    /// The bits looked at.
+    pub mask: u32,
+    /// How they must stand.
+    pub state: u32,
 }
 
 /// A transition.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Transition {
-    /// Rows of [`Program::links`](super::Program::links): entrance steps.
-    pub entrance: Run,
-    /// Rows of [`Program::links`](super::Program::links): exit steps.
-    pub exit: Run,
     /// When it fires while its first entrance step is active: the other entrance steps, and the trigger. The terms go
     /// on behind the one in its [`Arm`].
     pub fires: Condition,
+    /// What firing does to the situation.
+    pub crossing: Crossing,
     /// Rows of [`Program::stored`](super::Program::stored): the `do` block.
     pub actions: Run,
+}
+
+/// The steps that a transition leaves and enters.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Crossing {
+    /// In a graph whose steps share one word.
+    Within {
+        /// The entrance steps.
+        leaves: u32,
+        /// The exit steps.
+        enters: u32,
+    },
+    /// In a graph with more steps.
+    Across {
+        /// Rows of [`Program::links`](super::Program::links): the entrance steps.
+        entrance: Run,
+        /// Rows of [`Program::links`](super::Program::links): the exit steps.
+        exit: Run,
+    },
 }
 
 /// A step that encloses a graph.

@@ -1,6 +1,6 @@
 //! Table by table, row by row.
 
-use crate::program::{Assignment, Bit, Forced, Graph, Momentary, Order, Program, Run, Watch};
+use crate::program::{Assignment, Bit, Crossing, Forced, Graph, Momentary, Order, Program, Rest, Run, Watch};
 
 impl Program<'_> {
     pub(super) const fn numbers_are_sound(&self) -> bool {
@@ -30,7 +30,9 @@ impl Program<'_> {
         let mut i = 0;
         while i < self.arms.len() {
             let arm = &self.arms[i];
-            if arm.transition as usize >= self.transitions.len() || !self.term_is_sound(&arm.first)
+            if arm.transition as usize >= self.transitions.len()
+                || arm.word >= self.layout.words
+                || arm.state & !arm.mask != 0
             {
                 return false;
             }
@@ -101,8 +103,7 @@ impl Program<'_> {
             let mut i = graph.transitions.start as usize;
             while i < graph.transitions.end() {
                 let transition = &self.transitions[i];
-                let sound = self.links_are_steps_of(graph, transition.entrance)
-                    && self.links_are_steps_of(graph, transition.exit)
+                let sound = self.crossing_is_sound(graph, transition.crossing)
                     && self.condition_is_sound(transition.fires)
                     && transition.actions.is_within(self.stored.len())
                     && (transition.actions.len == 0 || self.stores_on_change);
@@ -114,6 +115,24 @@ impl Program<'_> {
             g += 1;
         }
         true
+    }
+
+    const fn crossing_is_sound(&self, graph: &Graph, crossing: Crossing) -> bool {
+        match crossing {
+            Crossing::Within { leaves, enters } => {
+                let unused = if graph.steps.len >= 32 {
+                    0
+                } else {
+                    u32::MAX << graph.steps.len
+                };
+                graph.words.len <= 1 && (leaves | enters) & unused == 0
+            }
+            Crossing::Across { entrance, exit } => {
+                graph.words.len > 1
+                    && self.links_are_steps_of(graph, entrance)
+                    && self.links_are_steps_of(graph, exit)
+            }
+        }
     }
 
     const fn links_are_steps_of(&self, graph: &Graph, links: Run) -> bool {
@@ -244,7 +263,10 @@ impl Program<'_> {
     }
 
     const fn statement_is_sound(&self, statement: &Momentary) -> bool {
-        if !statement.targets.is_within(self.targets.len())
+        let conditional = statement.condition.terms.len > 0
+            || !matches!(statement.condition.rest, Rest::None);
+        if (conditional && !self.momentary_varies)
+            || !statement.targets.is_within(self.targets.len())
             || !self.condition_is_sound(statement.condition)
         {
             return false;
