@@ -33,6 +33,10 @@ impl<P: Compiled, S: Store> Engine<P, S> {
                 let code = program.codes.get(usize::from(code));
                 code.is_some_and(|code| self.value_of(*code) != 0)
             }
+            Rest::Logic(code) => {
+                let code = program.codes.get(usize::from(code));
+                code.is_some_and(|code| self.logic_of(*code))
+            }
         }
     }
 
@@ -50,17 +54,32 @@ impl<P: Compiled, S: Store> Engine<P, S> {
         self.elapsed(risen, preset, unit)
     }
 
+    /// What a piece of code on Booleans leaves. The stack is a word, its top the lowest bit.
+    fn logic_of(&mut self, code: Code) -> bool {
+        let tables = self.tables;
+        let program = tables.program();
+        let mut stack = 0_u32;
+        for op in code.of(program.ops) {
+            stack = match op {
+                Op::Bit(bit) => stack << 1 | u32::from(self.memory.bit(*bit)),
+                Op::Elapsed(timer) => stack << 1 | u32::from(self.has_elapsed(*timer)),
+                Op::Not => stack ^ 1,
+                Op::And => stack >> 1 & (stack | !1),
+                Op::Or => stack >> 1 | stack & 1,
+                Op::Xor => stack >> 1 ^ stack & 1,
+                Op::Constant(value) => stack << 1 | u32::from(*value != 0),
+                // Operations on numbers never come here.
+                _ => stack,
+            };
+        }
+        stack & 1 != 0
+    }
+
     /// The value that a piece of code leaves.
     pub(crate) fn value_of(&mut self, code: Code) -> i32 {
         let tables = self.tables;
-        let start = code.start as usize;
-        let ops = tables
-            .program()
-            .ops
-            .get(start..start + usize::from(code.len))
-            .unwrap_or(&[]);
         let mut depth = 0;
-        for op in ops {
+        for op in code.of(tables.program().ops) {
             self.execute(*op, &mut depth);
         }
         self.pop(&mut depth)
@@ -71,6 +90,7 @@ impl<P: Compiled, S: Store> Engine<P, S> {
             Op::Constant(value) => value,
             Op::Bit(bit) => i32::from(self.memory.bit(bit)),
             Op::Number(number) => self.memory.number(number),
+            Op::Elapsed(timer) => i32::from(self.has_elapsed(timer)),
             Op::Not => i32::from(self.pop(depth) == 0),
             Op::Negate => {
                 let operand = self.pop(depth);
@@ -158,14 +178,13 @@ impl<P: Compiled, S: Store> Engine<P, S> {
             return false;
         }
         // A preset below zero has always passed.
-        let Ok(preset) = u64::try_from(preset) else {
+        let Ok(preset) = u32::try_from(preset) else {
             return true;
         };
-        let preset_ms = match unit {
-            Unit::Milliseconds => preset,
-            Unit::Seconds => preset * 1000,
-        };
-        let due_ms = risen_ms.saturating_add(preset_ms);
+        let due_ms = risen_ms.saturating_add(match unit {
+            Unit::Milliseconds => u64::from(preset),
+            Unit::Seconds => in_ms(preset),
+        });
         if self.now_ms >= due_ms {
             return true;
         }
@@ -180,4 +199,10 @@ impl Term {
         let word = image.get(usize::from(self.word));
         word.is_some_and(|word| word & self.mask == self.state)
     }
+}
+
+/// Kept apart: a product of 64 bits is a long call on a small processor, and few presets need it.
+#[inline(never)]
+fn in_ms(seconds: u32) -> u64 {
+    u64::from(seconds) * 1000
 }

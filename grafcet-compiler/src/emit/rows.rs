@@ -191,6 +191,7 @@ impl Row for Rest {
             Rest::Elapsed(row) => (quote!(Elapsed), row.literal()),
             Rest::Running(row) => (quote!(Running), row.literal()),
             Rest::Code(row) => (quote!(Code), row.literal()),
+            Rest::Logic(row) => (quote!(Logic), row.literal()),
         };
         quote!(Rest::#variant(#row))
     }
@@ -279,6 +280,10 @@ impl Row for Op {
             Op::Number(number) => {
                 let number = number.literal();
                 quote!(Op::Number(#number))
+            }
+            Op::Elapsed(timer) => {
+                let timer = timer.literal();
+                quote!(Op::Elapsed(#timer))
             }
             Op::StepTimer {
                 step,

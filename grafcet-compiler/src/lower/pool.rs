@@ -144,7 +144,12 @@ impl Pool {
             None => Rest::None,
             Some(node) => {
                 let code = self.code(&node, span);
-                Rest::Code(self.codes.row(code))
+                let row = self.codes.row(code);
+                if self.is_logic(code) {
+                    Rest::Logic(row)
+                } else {
+                    Rest::Code(row)
+                }
             }
         }
     }
@@ -153,7 +158,7 @@ impl Pool {
     pub fn can_fault(&self, watch: &Watch) -> bool {
         let of = |condition: &Condition| match condition.rest {
             Rest::Code(code) => self.codes.rows.get(usize::from(code)).copied(),
-            Rest::None | Rest::Elapsed(_) | Rest::Running(_) => None,
+            Rest::None | Rest::Elapsed(_) | Rest::Running(_) | Rest::Logic(_) => None,
         };
         let codes = match watch {
             Watch::Edge { operand, .. } => [of(operand), None],
@@ -172,10 +177,24 @@ impl Pool {
         ops.unwrap_or_default()
     }
 
+    /// Whether code works on nothing but Booleans, and not on more of them at once than a word holds.
+    fn is_logic(&self, code: Code) -> bool {
+        let mut depth = 0;
+        self.ops_of(code).iter().all(|op| {
+            match op {
+                Op::Bit(_) | Op::Elapsed(_) | Op::Constant(0 | 1) => depth += 1,
+                Op::And | Op::Or | Op::Xor => depth -= 1,
+                Op::Not => {}
+                _ => return false,
+            }
+            depth <= 32
+        })
+    }
+
     /// Code that leaves a value.
     pub fn code(&mut self, node: &Node, span: Span) -> Code {
         let mut ops = Vec::new();
-        let depth = push(node, &mut ops);
+        let depth = push(node, &mut self.timers, &mut ops);
         self.stack = self.stack.max(depth);
         if let Some(code) = self.known_ops.get(&ops) {
             return *code;
@@ -240,7 +259,11 @@ fn merged(literals: &[(Bit, bool)]) -> Option<Vec<Term>> {
 }
 
 /// Appends the operations of a node and tells how deep the stack gets.
-fn push(node: &Node, ops: &mut Vec<Op>) -> usize {
+fn push(node: &Node, timers: &mut Shared<Timer>, ops: &mut Vec<Op>) -> usize {
+    if let Some(timer) = timer(node) {
+        ops.push(Op::Elapsed(timers.row(timer)));
+        return 1;
+    }
     match node {
         Node::Constant(value) => ops.push(Op::Constant(*value)),
         Node::Bit(bit) => ops.push(Op::Bit(*bit)),
@@ -252,7 +275,7 @@ fn push(node: &Node, ops: &mut Vec<Op>) -> usize {
             unit,
             preset,
         } => {
-            let depth = push(preset, ops);
+            let depth = push(preset, timers, ops);
             ops.push(Op::StepTimer {
                 step: *step,
                 activated: *activated,
@@ -261,18 +284,18 @@ fn push(node: &Node, ops: &mut Vec<Op>) -> usize {
             return depth;
         }
         Node::Not(inner) => {
-            let depth = push(inner, ops);
+            let depth = push(inner, timers, ops);
             ops.push(Op::Not);
             return depth;
         }
         Node::Negate(inner) => {
-            let depth = push(inner, ops);
+            let depth = push(inner, timers, ops);
             ops.push(Op::Negate);
             return depth;
         }
         Node::Binary(operator, left, right) => {
-            let depth = push(left, ops);
-            let depth = depth.max(push(right, ops) + 1);
+            let depth = push(left, timers, ops);
+            let depth = depth.max(push(right, timers, ops) + 1);
             ops.push(operation(*operator));
             return depth;
         }

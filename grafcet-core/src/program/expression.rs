@@ -11,6 +11,14 @@ pub struct Code {
     pub len: u16,
 }
 
+impl Code {
+    /// The operations; none when the code leaves the table, which that of a checked table never does.
+    pub(crate) fn of(self, ops: &[Op]) -> &[Op] {
+        let start = self.start as usize;
+        ops.get(start..start + self.len as usize).unwrap_or(&[])
+    }
+}
+
 /// When something holds: when all terms hold, and then the rest does.
 ///
 /// The terms are a conjunction of literals as mask and state words (the file-based GRAFCET of the documents). What
@@ -42,6 +50,8 @@ pub enum Rest {
     Running(u16),
     /// That the code in this row of [`Program::codes`](super::Program::codes) leaves a value other than 0.
     Code(u16),
+    /// The same for code on nothing but Booleans, never more than 32 of them at once.
+    Logic(u16),
 }
 
 /// `T/Xn/preset` for a step (or macro step) bit standing alone.
@@ -116,6 +126,8 @@ pub enum Op {
     Greater,
     /// `>=`.
     GreaterOrEqual,
+    /// Pushes whether the timer in this row of [`Program::timers`](super::Program::timers) has run out.
+    Elapsed(u16),
     /// Pops a preset and pushes `T/Xn/preset` for a step (or macro step) bit standing alone, when the preset is
     /// calculated.
     StepTimer {

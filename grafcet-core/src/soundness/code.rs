@@ -24,6 +24,9 @@ impl Program<'_> {
                 Rest::None => true,
                 Rest::Elapsed(timer) | Rest::Running(timer) => (timer as usize) < self.timers.len(),
                 Rest::Code(code) => (code as usize) < self.codes.len(),
+                Rest::Logic(code) => {
+                    (code as usize) < self.codes.len() && self.is_logic(self.codes[code as usize])
+                }
             }
     }
 
@@ -79,10 +82,37 @@ impl Program<'_> {
         depth == 1
     }
 
+    /// Whether code works on nothing but Booleans, and not on more of them than a word holds.
+    const fn is_logic(&self, code: Code) -> bool {
+        let mut depth = 0;
+        let mut i = code.start as usize;
+        while i < code.start as usize + code.len as usize {
+            let op = &self.ops[i];
+            let boolean = matches!(
+                op,
+                Op::Bit(_)
+                    | Op::Elapsed(_)
+                    | Op::Constant(0 | 1)
+                    | Op::Not
+                    | Op::And
+                    | Op::Or
+                    | Op::Xor
+            );
+            let (taken, left) = op.effect();
+            depth = depth + left - taken;
+            if !boolean || depth > 32 {
+                return false;
+            }
+            i += 1;
+        }
+        true
+    }
+
     const fn op_is_sound(&self, op: &Op) -> bool {
         match op {
             Op::Bit(bit) => self.bit_is_sound(*bit),
             Op::Number(number) => number.0 < self.layout.numbers,
+            Op::Elapsed(timer) => (*timer as usize) < self.timers.len(),
             Op::StepTimer {
                 step, activated, ..
             } => self.bit_is_sound(*step) && self.stamp_is_sound(*activated),
@@ -95,7 +125,7 @@ impl Op {
     /// How many values it takes from the stack, and how many it leaves there.
     const fn effect(&self) -> (u16, u16) {
         match self {
-            Op::Constant(_) | Op::Bit(_) | Op::Number(_) => (0, 1),
+            Op::Constant(_) | Op::Bit(_) | Op::Number(_) | Op::Elapsed(_) => (0, 1),
             Op::Not | Op::Negate | Op::StepTimer { .. } => (1, 1),
             Op::And
             | Op::Or
