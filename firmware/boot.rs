@@ -2,7 +2,8 @@
 
 use embedded_storage_async::nor_flash::NorFlash;
 use grafcet_core::engine::Engine;
-use grafcet_core::program::{Names, Program};
+use grafcet_core::memory::Memory;
+use grafcet_core::program::{Compiled, Names};
 
 use crate::log::{fault, note};
 use crate::record::Record;
@@ -100,13 +101,12 @@ impl Evidence {
 /// Nothing in the store keeps a program from starting: what does not fit is dropped with a line of its own, and
 /// without a readable record all values are the declared ones.
 pub async fn boot<F: NorFlash>(
-    engine: &mut Engine<'_, '_>,
+    engine: &mut Engine<impl Compiled, impl Memory>,
     names: &Names<'_>,
     store: &mut Store<F>,
     cause: Cause,
 ) {
     engine.set_recovered(cause.is_recovery());
-    let program = engine.program();
     let restored = match store.load().await {
         Ok(Some(record)) => restore(engine, names, &record),
         Ok(None) => 0,
@@ -115,6 +115,7 @@ pub async fn boot<F: NorFlash>(
             0
         }
     };
+    let program = engine.program();
     note!(
         "{} {:08x}, scan {} ms, reset: {}, restored: {} of {} retained values",
         names.application,
@@ -127,8 +128,13 @@ pub async fn boot<F: NorFlash>(
 }
 
 /// Restores what fits. The answer is how many values that was.
-fn restore(engine: &mut Engine<'_, '_>, names: &Names<'_>, record: &Record<'_>) -> u32 {
-    let program: &Program<'_> = engine.program();
+fn restore(
+    engine: &mut Engine<impl Compiled, impl Memory>,
+    names: &Names<'_>,
+    record: &Record<'_>,
+) -> u32 {
+    let tables = engine.tables();
+    let program = tables.program();
     if record.fingerprint != program.fingerprint {
         note!(
             "retain store: last written by another program, {:08x}",

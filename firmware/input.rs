@@ -3,6 +3,8 @@
 use embassy_time::{Duration, Instant, Timer};
 use embedded_hal::digital::InputPin;
 use grafcet_core::engine::Engine;
+use grafcet_core::memory::Memory;
+use grafcet_core::program::Compiled;
 use heapless::Vec;
 
 use crate::filter::{Filter, SAMPLE_US};
@@ -54,7 +56,7 @@ impl<P: InputPin, const N: usize> Inputs<P, N> {
     }
 
     /// Writes the input image of a scan: the filtered pins as their filters see them, the others as they are.
-    pub fn read(&mut self, engine: &mut Engine<'_, '_>) {
+    pub fn read(&mut self, engine: &mut Engine<impl Compiled, impl Memory>) {
         for Terminal { pin, wire, filter } in &mut self.terminals {
             let value = match wire.filter_ms {
                 0 => is_true(pin, wire),

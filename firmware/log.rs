@@ -4,7 +4,8 @@
 //! `defmt::Format` there and by `Display` here.
 
 use grafcet_core::engine::Engine;
-use grafcet_core::program::{Bit, Graph, Names, Number, Program, Run};
+use grafcet_core::memory::Memory;
+use grafcet_core::program::{Bit, Compiled, Graph, Names, Number};
 
 /// Logs what an operator should know.
 macro_rules! note {
@@ -48,7 +49,7 @@ impl Observer {
     }
 
     /// Logs the changes of the latest scan.
-    pub fn observe(&mut self, engine: &Engine<'_, '_>) {
+    pub fn observe(&mut self, engine: &Engine<impl Compiled, impl Memory>) {
         let graphs = engine.program().graphs.iter().enumerate();
         for (index, graph) in graphs.filter(|(index, _)| engine.graph_changed(*index)) {
             self.log_change(engine, index, graph);
@@ -65,7 +66,7 @@ impl Observer {
         self.unstable = unstable;
     }
 
-    fn log_change(&self, engine: &Engine<'_, '_>, index: usize, graph: &Graph) {
+    fn log_change(&self, engine: &Engine<impl Compiled, impl Memory>, index: usize, graph: &Graph) {
         let program = engine.program();
         let name = named(self.names.graphs, index);
         let mut fired = engine
@@ -91,8 +92,8 @@ impl Observer {
                 continue;
             };
             let number = self.names.transitions.get(transition).copied().unwrap_or(0);
-            let entrance = self.steps(|| linked(program, graph, row.entrance));
-            let exit = self.steps(|| linked(program, graph, row.exit));
+            let entrance = self.steps(|| program.entrance_steps(graph, row));
+            let exit = self.steps(|| program.exit_steps(graph, row));
             note!("{} T{}: {} -> {}", name, number, entrance, exit);
         }
     }
@@ -103,20 +104,6 @@ impl Observer {
             indices,
         }
     }
-}
-
-/// The indices of the steps that a run of links names.
-fn linked<'p>(
-    program: &Program<'p>,
-    graph: &Graph,
-    links: Run,
-) -> impl Iterator<Item = usize> + use<'p> {
-    let first_bit = usize::from(graph.words.start) * 32;
-    let first_step = usize::from(graph.steps.start);
-    links.of(program.links).iter().filter_map(move |bit| {
-        let place = usize::from(bit.0).checked_sub(first_bit)?;
-        Some(first_step + place)
-    })
 }
 
 fn named<'n>(names: &[&'n str], index: usize) -> &'n str {

@@ -2,6 +2,8 @@
 
 use embedded_hal::digital::{OutputPin, PinState};
 use grafcet_core::engine::Engine;
+use grafcet_core::memory::Memory;
+use grafcet_core::program::Compiled;
 
 use crate::wiring::OutputWire;
 
@@ -20,7 +22,7 @@ impl<P: OutputPin, const N: usize> Outputs<P, N> {
     }
 
     /// Drives the pins with the output image (`semantics.md`, phase 8).
-    pub fn write(&mut self, engine: &Engine<'_, '_>) {
+    pub fn write(&mut self, engine: &Engine<impl Compiled, impl Memory>) {
         self.drive(|wire| engine.bit(wire.bit));
     }
 

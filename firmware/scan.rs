@@ -5,6 +5,8 @@ use embassy_sync::signal::Signal;
 use embassy_time::{Duration, Instant};
 use embedded_hal::digital::{InputPin, OutputPin};
 use grafcet_core::engine::Engine;
+use grafcet_core::memory::Memory;
+use grafcet_core::program::Compiled;
 
 use crate::input::Inputs;
 use crate::log::{Observer, fault};
@@ -21,13 +23,13 @@ pub trait Board {
     const LATE_AFTER: Duration;
 
     /// A scan has been completed, its outputs written and its changes handed on. Nothing else feeds a watchdog.
-    fn complete(&mut self, engine: &Engine<'_, '_>);
+    fn complete(&mut self, engine: &Engine<impl Compiled, impl Memory>);
 }
 
 /// A controller with all that its scan needs.
-pub struct Controller<'a, I, O, B, const N: usize, const M: usize, const R: usize> {
+pub struct Controller<'a, P, S, I, O, B, const N: usize, const M: usize, const R: usize> {
     /// The program, restored and not started.
-    pub engine: Engine<'a, 'a>,
+    pub engine: Engine<P, S>,
     /// The input pins.
     pub inputs: Inputs<I, N>,
     /// The output pins, at their safe levels.
@@ -40,8 +42,11 @@ pub struct Controller<'a, I, O, B, const N: usize, const M: usize, const R: usiz
     pub observer: Observer,
 }
 
-impl<I, O, B, const N: usize, const M: usize, const R: usize> Controller<'_, I, O, B, N, M, R>
+impl<P, S, I, O, B, const N: usize, const M: usize, const R: usize>
+    Controller<'_, P, S, I, O, B, N, M, R>
 where
+    P: Compiled,
+    S: Memory,
     I: InputPin,
     O: OutputPin,
     B: Board,
@@ -82,7 +87,7 @@ where
 
 /// The retained values, in the order of the program's rows.
 #[must_use]
-pub fn snapshot<const R: usize>(engine: &Engine<'_, '_>) -> [i32; R] {
+pub fn snapshot<const R: usize>(engine: &Engine<impl Compiled, impl Memory>) -> [i32; R] {
     let mut values = engine
         .program()
         .retained

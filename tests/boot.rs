@@ -12,7 +12,7 @@ use plc::record::Values;
 use plc::retain::Store;
 use plc::scan::snapshot;
 use support::nor::Nor;
-use support::program::{Compiled, program};
+use support::program::{Leaked, program};
 
 const SECTOR: usize = 256;
 const SECTORS: usize = 4;
@@ -26,7 +26,7 @@ fn store(flash: Nor<SECTOR>) -> TestStore {
 }
 
 /// A flash with the values of a program's retained variables and parameters.
-fn stored(by: Compiled, values: &[i32]) -> Nor<SECTOR> {
+fn stored(by: Leaked, values: &[i32]) -> Nor<SECTOR> {
     let mut store = store(Nor::new(SECTORS));
     let values = Values::Running(by.program.retained, values);
     block_on(store.save(by.program.fingerprint, values)).expect("there is room");
@@ -35,7 +35,7 @@ fn stored(by: Compiled, values: &[i32]) -> Nor<SECTOR> {
 
 /// Boots a program. The answer is its retained values and what it said.
 fn booted<const R: usize>(
-    what: Compiled,
+    what: Leaked,
     flash: Nor<SECTOR>,
     cause: Cause,
 ) -> ([i32; R], Vec<String>) {

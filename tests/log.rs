@@ -5,10 +5,10 @@ mod support;
 use grafcet_core::program::Slot;
 use plc::boards::host::lines::keep;
 use plc::log::Observer;
-use support::program::{Compiled, program};
+use support::program::{Leaked, program};
 
 /// Runs scans of 10 ms, each after setting inputs, and keeps what each says.
-fn said(what: Compiled, scans: &[&[(&str, bool)]]) -> Vec<Vec<String>> {
+fn said(what: Leaked, scans: &[&[(&str, bool)]]) -> Vec<Vec<String>> {
     let mut engine = what.engine();
     let mut observer = Observer::new(what.names);
     let mut scan = |(k, inputs): (usize, &&[(&str, bool)])| {
@@ -19,7 +19,9 @@ fn said(what: Compiled, scans: &[&[(&str, bool)]]) -> Vec<Vec<String>> {
         }
         match k {
             0 => engine.start(),
-            _ => engine.scan(k as u64 * 10),
+            _ => {
+                engine.scan(k as u64 * 10);
+            }
         }
         let ((), lines) = keep(|| observer.observe(&engine));
         lines.into_iter().map(|line| line.text).collect()

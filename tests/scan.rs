@@ -11,7 +11,8 @@ use embassy_futures::select::select;
 use embassy_time::{Duration, Instant, Timer};
 use embedded_hal::digital::{ErrorType, OutputPin};
 use grafcet_core::engine::Engine;
-use grafcet_core::program::{Bit, Number, Slot};
+use grafcet_core::memory::Memory;
+use grafcet_core::program::{Bit, Compiled, Number, Slot};
 use plc::boards::host::clock::{simulate, work};
 use plc::boards::host::lines::{Line, keep};
 use plc::boards::host::pins::Input;
@@ -20,7 +21,7 @@ use plc::log::Observer;
 use plc::output::Outputs;
 use plc::scan::{Board, Changes, Controller};
 use plc::wiring::{InputWire, OutputWire};
-use support::program::{Compiled, program};
+use support::program::{Leaked, program};
 
 const PRESS: &str = "
     input start
@@ -79,7 +80,7 @@ struct Scan {
 impl Board for Bench<'_> {
     const LATE_AFTER: Duration = Duration::from_millis(1);
 
-    fn complete(&mut self, engine: &Engine<'_, '_>) {
+    fn complete(&mut self, engine: &Engine<impl Compiled, impl Memory>) {
         let mut scans = self.scans.borrow_mut();
         scans.push(Scan {
             at_ms: now_ms(),
@@ -132,7 +133,7 @@ impl Seen {
     }
 }
 
-fn wire(compiled: Compiled, name: &str) -> Bit {
+fn wire(compiled: Leaked, name: &str) -> Bit {
     match compiled.slot(name) {
         Slot::Bit(bit) => bit,
         Slot::Number(_) => panic!("{name} is a number"),

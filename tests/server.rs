@@ -6,8 +6,11 @@ use std::io::{BufRead, BufReader, PipeReader, PipeWriter, Write, pipe};
 use std::thread;
 
 use grafcet_core::engine::Engine;
+use grafcet_core::memory::Memory;
+use grafcet_core::program::Compiled;
 use plc::application::{
-    DEMONSTRATION, INPUT_LABELS, INPUTS, OUTPUT_LABELS, OUTPUTS, PLANTS, PROGRAM, Storage,
+    Application, DEMONSTRATION, INPUT_LABELS, INPUTS, OUTPUT_LABELS, OUTPUTS, PLANTS, PROGRAM,
+    Storage,
 };
 use plc::boards::host::machine::{Machine, Parts};
 use plc::boards::host::server::{Error, Terminals, serve};
@@ -61,8 +64,7 @@ impl Elsewhere {
 
     /// Runs from power-on until something else than a scan is asked for.
     fn run(&mut self, retained: &mut Vec<i32>) -> String {
-        let mut storage = Storage::new();
-        let mut engine = Engine::new(&PROGRAM, storage.memory());
+        let mut engine = Engine::new(Application, Storage::new());
         for (row, value) in PROGRAM.retained.iter().zip(retained.iter()) {
             engine.restore(row.slot, *value);
         }
@@ -76,7 +78,9 @@ impl Elsewhere {
             }
             match scan {
                 0 => engine.start(),
-                _ => engine.scan(scan * u64::from(PROGRAM.period_ms)),
+                _ => {
+                    engine.scan(scan * u64::from(PROGRAM.period_ms));
+                }
             }
             answer = self.ask(&request(&engine));
         }
@@ -89,7 +93,7 @@ impl Elsewhere {
     }
 }
 
-fn request(engine: &Engine<'_, '_>) -> String {
+fn request(engine: &Engine<impl Compiled, impl Memory>) -> String {
     let level = |wire: &plc::wiring::OutputWire| engine.bit(wire.bit) != wire.active_low;
     let levels: String = OUTPUTS
         .iter()

@@ -18,7 +18,8 @@ fn main() {
 
 fn build() -> Result<(), String> {
     println!("cargo::rerun-if-env-changed=BENCH_PROGRAM");
-    let path = env::var("BENCH_PROGRAM").unwrap_or_else(|_| "../../graphs/line_switcher.grafcet".to_owned());
+    let path = env::var("BENCH_PROGRAM")
+        .unwrap_or_else(|_| "../../graphs/line_switcher.grafcet".to_owned());
     println!("cargo::rerun-if-changed={path}");
     let failed = |error: io::Error| format!("error: {path}: {error}");
     let text = fs::read_to_string(&path).map_err(failed)?;
@@ -26,7 +27,11 @@ fn build() -> Result<(), String> {
     let load = |name: &str| fs::read_to_string(folder.join(name));
     let compiled = compile(&path, &text, &load, Target::Host);
     let Some(application) = &compiled.application else {
-        return Err(render(&compiled.diagnostics, &compiled.sources, Style::default()));
+        return Err(render(
+            &compiled.diagnostics,
+            &compiled.sources,
+            Style::default(),
+        ));
     };
     let tables = emit::source(emit::program(application)).map_err(|error| error.to_string())?;
     let variables = &application.controller.symbols.variables;
@@ -42,7 +47,9 @@ fn build() -> Result<(), String> {
 
 /// The first 32 Booleans of a kind, in declaration order.
 fn table(variables: &[VariableSymbol], kind: DeclarationKind) -> String {
-    let of_kind = variables.iter().filter(|variable| variable.kind == kind && !variable.bound);
+    let of_kind = variables
+        .iter()
+        .filter(|variable| variable.kind == kind && !variable.bound);
     let bits = of_kind.filter_map(|variable| match variable.slot {
         Slot::Bit(Bit(bit)) => Some(format!("Bit({bit})")),
         Slot::Number(_) => None,

@@ -1,9 +1,9 @@
 //! What the compiler hands on: tables for the engine, and what people call the things in them.
 
 use grafcet_core::program::{
-    Arm, Bit, Block, Code, Dependent, Duties, Edges, Enclosing, Event, Evolution, Graph, Layout, Macro,
-    Momentary, NumberRow, Op, Order, Program, Retained, Run, Slot, Step, Stored, Target, Term,
-    Timer, Transition, Watch,
+    Arm, Bit, Block, Code, Dependent, Duties, Edges, Enclosing, Event, Evolution, Graph, Layout,
+    Macro, Momentary, NumberRow, Op, Order, Program, Retained, Run, Slot, Step, Stored, Target,
+    Term, Timer, Transition, Watch,
 };
 
 use crate::ast::{DeclarationKind, Type};

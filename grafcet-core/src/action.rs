@@ -2,8 +2,8 @@
 
 use crate::bits::clear;
 use crate::engine::Engine;
-use crate::memory::Store;
-use crate::program::{Compiled, Assignment, Dependent, Duties, Momentary, Run, Stored};
+use crate::memory::Memory;
+use crate::program::{Assignment, Compiled, Dependent, Duties, Momentary, Run, Stored};
 
 /// Which steps an action belongs to.
 #[derive(Clone, Copy)]
@@ -18,7 +18,7 @@ enum Steps {
     Deactivated,
 }
 
-impl<P: Compiled, S: Store> Engine<P, S> {
+impl<P: Compiled, M: Memory> Engine<P, M> {
     /// Phase 5: what has just become active is timed from now.
     pub(crate) fn stamp_activations(&mut self) {
         let tables = self.tables;
@@ -123,7 +123,12 @@ impl<P: Compiled, S: Store> Engine<P, S> {
             && let Some(targets) = row.targets.some(program.targets)
         {
             for target in targets {
-                if let Some(word) = self.memory.store.image_mut().get_mut(usize::from(target.word)) {
+                if let Some(word) = self
+                    .memory
+                    .store
+                    .image_mut()
+                    .get_mut(usize::from(target.word))
+                {
                     *word |= target.mask;
                 }
             }

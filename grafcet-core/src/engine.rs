@@ -2,7 +2,7 @@
 
 use crate::bits::{clear, set_bits, set_bits_of};
 use crate::images::Images;
-use crate::memory::{Memory, NEVER, Store, remembered};
+use crate::memory::{Bank, Memory, NEVER, remembered};
 use crate::program::{Bit, Compiled, Evolution, Number, Program, Slot};
 use crate::watch::Pass;
 
@@ -14,9 +14,9 @@ pub const MAX_ROUNDS: u32 = 100;
 /// Between scans, inputs and parameters are written and everything can be read; during one, nothing else is looked
 /// at. Scan 0 is [`Engine::start`]; each later scan is one call of [`Engine::scan`] with its time stamp.
 #[derive(Debug)]
-pub struct Engine<P, S> {
+pub struct Engine<P, M> {
     pub(crate) tables: P,
-    pub(crate) memory: Memory<S>,
+    pub(crate) memory: Bank<M>,
     /// Whether the next scan can differ from the one before.
     pub(crate) news: News,
     /// When the next timer runs out that the latest scan has found running, in ms since scan 0.
@@ -43,12 +43,12 @@ pub(crate) enum News {
     Fresh,
 }
 
-impl<P: Compiled, S: Store> Engine<P, S> {
+impl<P: Compiled, M: Memory> Engine<P, M> {
     /// Takes a program and memory for it. All variables have their declared values; nothing is active yet.
-    pub fn new(tables: P, store: S) -> Self {
+    pub fn new(tables: P, store: M) -> Self {
         let mut engine = Engine {
             tables,
-            memory: Memory { store },
+            memory: Bank { store },
             news: News::Fresh,
             due_ms: NEVER,
             now_ms: 0,
@@ -66,6 +66,12 @@ impl<P: Compiled, S: Store> Engine<P, S> {
             engine.memory.raise_bit(*bit);
         }
         engine
+    }
+
+    /// Where it finds its program.
+    #[must_use]
+    pub fn tables(&self) -> P {
+        self.tables
     }
 
     /// The program.

@@ -1,10 +1,10 @@
 //! Triggers and firing (`semantics.md`, phases 2 and 3; IEC 60848 rules 2 to 5).
 
 use crate::engine::Engine;
-use crate::memory::Store;
+use crate::memory::Memory;
 use crate::program::{Compiled, Crossing, Run, Transition};
 
-impl<P: Compiled, S: Store> Engine<P, S> {
+impl<P: Compiled, M: Memory> Engine<P, M> {
     /// Marks every armed transition whose trigger is True, and tells whether there is one. The situations stay as
     /// they are meanwhile, so that all transitions see the same one; the next ones are made beside them.
     pub(crate) fn mark_fired(&mut self) -> bool {
@@ -113,7 +113,8 @@ impl<P: Compiled, S: Store> Engine<P, S> {
                 return;
             };
             for step in side(entrance, exit).of(program.links) {
-                let place = step.word() - usize::from(program.layout.situations.start).min(step.word());
+                let place =
+                    step.word() - usize::from(program.layout.situations.start).min(step.word());
                 if let Some(word) = engine.memory.store.before_mut().get_mut(place) {
                     *word = change(*word, step.mask());
                 }

@@ -1,10 +1,10 @@
 //! Conditions and values: conjunctions as mask and state words, everything else as postfix code.
 
 use crate::engine::Engine;
-use crate::memory::{NEVER, Store};
-use crate::program::{Compiled, Bit, Code, Condition, Op, Preset, Rest, Run, Stamp, Term, Unit};
+use crate::memory::{Memory, NEVER};
+use crate::program::{Bit, Code, Compiled, Condition, Op, Preset, Rest, Run, Stamp, Term, Unit};
 
-impl<P: Compiled, S: Store> Engine<P, S> {
+impl<P: Compiled, M: Memory> Engine<P, M> {
     /// Whether a condition holds now. Arithmetic that goes wrong on the way is counted.
     pub(crate) fn holds(&mut self, condition: &Condition) -> bool {
         self.terms_hold(condition.terms) && self.rest_holds(condition.rest)

@@ -2,8 +2,8 @@
 
 use crate::bits::set_bits_of;
 use crate::engine::Engine;
-use crate::memory::{Store, Given, Standing};
-use crate::program::{Compiled, Bit, Enclosing, Forced, Graph, Run};
+use crate::memory::{Given, Memory, Standing};
+use crate::program::{Bit, Compiled, Enclosing, Forced, Graph, Run};
 use crate::watch::Pass;
 
 /// Where a graph takes its situation from.
@@ -18,7 +18,7 @@ enum Decision {
     Own,
 }
 
-impl<P: Compiled, S: Store> Engine<P, S> {
+impl<P: Compiled, M: Memory> Engine<P, M> {
     /// Gives every graph its initial situation, an enclosed one only when an initial step encloses it.
     pub(crate) fn take_initial_situations(&mut self) {
         let tables = self.tables;
@@ -98,7 +98,12 @@ impl<P: Compiled, S: Store> Engine<P, S> {
         if (held, void) != (standing.held, standing.void) {
             self.note_change();
         }
-        if let Some(standing) = self.memory.store.standings_mut().get_mut(usize::from(index)) {
+        if let Some(standing) = self
+            .memory
+            .store
+            .standings_mut()
+            .get_mut(usize::from(index))
+        {
             *standing = new;
         }
     }
@@ -167,7 +172,13 @@ impl<P: Compiled, S: Store> Engine<P, S> {
         let first = graph.words.start;
         let offset = usize::from(first - program.layout.situations.start.min(first));
         for (index, word) in graph.words.indices().enumerate() {
-            let steps = self.memory.store.before().get(offset + index).copied().unwrap_or(0);
+            let steps = self
+                .memory
+                .store
+                .before()
+                .get(offset + index)
+                .copied()
+                .unwrap_or(0);
             self.set_word(word, steps);
         }
     }
@@ -200,7 +211,12 @@ impl<P: Compiled, S: Store> Engine<P, S> {
             if !self.holds(&order.condition) {
                 continue;
             }
-            let Some(standing) = self.memory.store.standings_mut().get_mut(usize::from(order.graph)) else {
+            let Some(standing) = self
+                .memory
+                .store
+                .standings_mut()
+                .get_mut(usize::from(order.graph))
+            else {
                 continue;
             };
             let wins = standing

@@ -2,7 +2,7 @@
 //!
 //! A compiled program is a [`program::Program`]: slices of small rows that lie in flash on a microcontroller and in
 //! memory on a host. What changes while it runs lies in a [`memory::Memory`], sized for its program at build time.
-//! An [`engine::Engine`] borrows both and runs one scan at a time. Time, inputs and restored values come in as
+//! An [`engine::Engine`] takes both and runs one scan at a time. Time, inputs and restored values come in as
 //! arguments: nothing here knows a clock, a board, a flash page or a text, and no path panics or allocates.
 //!
 //! The rooms, in the order in which a scan passes through them:
@@ -20,6 +20,9 @@
 #![no_std]
 #![forbid(unsafe_code)]
 
+#[cfg(feature = "alloc")]
+extern crate alloc;
+
 mod action;
 mod bits;
 pub mod engine;
@@ -27,9 +30,12 @@ mod evolution;
 mod expression;
 mod hierarchy;
 pub mod images;
+#[macro_use]
 pub mod memory;
 pub mod program;
 pub mod soundness;
+#[cfg(feature = "alloc")]
+pub mod vectors;
 mod watch;
 
 pub use engine::Engine;

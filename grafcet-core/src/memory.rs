@@ -99,7 +99,18 @@ impl<
     const FIRED: usize,
     const PASSED: usize,
     const STANDINGS: usize,
-> Default for Storage<WORDS, NUMBERS, SITUATION_WORDS, REMEMBERED, STAMPS, STACK, FIRED, PASSED, STANDINGS>
+> Default
+    for Storage<
+        WORDS,
+        NUMBERS,
+        SITUATION_WORDS,
+        REMEMBERED,
+        STAMPS,
+        STACK,
+        FIRED,
+        PASSED,
+        STANDINGS,
+    >
 {
     fn default() -> Self {
         Self::new()
@@ -110,7 +121,7 @@ impl<
 ///
 /// The lengths that a program needs are in its [`Layout`]; with less room nothing panics, and what has none reads as
 /// False and 0.
-pub trait Store {
+pub trait Memory {
     /// The bits: inputs, situations, variables, outputs, results. [`Layout::words`] words.
     fn image(&self) -> &[u32];
     /// The same, to be written.
@@ -150,14 +161,13 @@ pub trait Store {
     fn standings_mut(&mut self) -> &mut [Standing];
 }
 
-/// Writes the methods of [`Store`] for a type with fields of the same names.
-#[macro_export]
+/// Writes the methods of [`Memory`] for a type with fields of the same names.
 macro_rules! stores_in_fields {
     () => {
-        $crate::stores_in_fields! {
+        stores_in_fields! {
             image image_mut u32, numbers numbers_mut i32, before before_mut u32, before_scan before_scan_mut u32,
             fired fired_mut u32, passed passed_mut u32, stack stack_mut i32, stamps stamps_mut u64,
-            standings standings_mut $crate::memory::Standing
+            standings standings_mut Standing
         }
     };
     ($($field:ident $field_mut:ident $type:ty),*) => {$(
@@ -172,7 +182,7 @@ macro_rules! stores_in_fields {
     )*};
 }
 
-/// Writes the methods of [`Store`] for a reference to another one.
+/// Writes the methods of [`Memory`] for a reference to another one.
 macro_rules! stores_in_target {
     () => {
         stores_in_target! {
@@ -203,22 +213,33 @@ impl<
     const FIRED: usize,
     const PASSED: usize,
     const STANDINGS: usize,
-> Store for Storage<WORDS, NUMBERS, SITUATION_WORDS, REMEMBERED, STAMPS, STACK, FIRED, PASSED, STANDINGS>
+> Memory
+    for Storage<
+        WORDS,
+        NUMBERS,
+        SITUATION_WORDS,
+        REMEMBERED,
+        STAMPS,
+        STACK,
+        FIRED,
+        PASSED,
+        STANDINGS,
+    >
 {
     stores_in_fields!();
 }
 
-impl<S: Store> Store for &mut S {
+impl<M: Memory> Memory for &mut M {
     stores_in_target!();
 }
 
 /// A store, as the engine works with it.
 #[derive(Debug)]
-pub(crate) struct Memory<S> {
-    pub(crate) store: S,
+pub(crate) struct Bank<M> {
+    pub(crate) store: M,
 }
 
-impl<S: Store> Memory<S> {
+impl<M: Memory> Bank<M> {
     /// Forgets everything, as power-on does.
     pub(crate) fn clear(&mut self) {
         self.store.image_mut().fill(0);
@@ -271,7 +292,9 @@ impl<S: Store> Memory<S> {
     }
 
     pub(crate) fn number(&self, number: Number) -> i32 {
-        self.store.numbers().get(usize::from(number.0))
+        self.store
+            .numbers()
+            .get(usize::from(number.0))
             .copied()
             .unwrap_or(0)
     }
@@ -283,7 +306,9 @@ impl<S: Store> Memory<S> {
     }
 
     pub(crate) fn stamp(&self, stamp: Stamp) -> u64 {
-        self.store.stamps().get(usize::from(stamp.0))
+        self.store
+            .stamps()
+            .get(usize::from(stamp.0))
             .copied()
             .unwrap_or(NEVER)
     }

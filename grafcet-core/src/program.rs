@@ -8,11 +8,13 @@ mod expression;
 mod place;
 mod rows;
 
+use crate::bits::set_bits_of;
+
 pub use expression::{Code, Condition, Edge, Edges, Op, Preset, Rest, Term, Timer, Unit, Watch};
 pub use place::{Bit, Number, Run, Slot, Stamp};
 pub use rows::{
-    Arm, Assignment, Block, Crossing, Dependent, Duties, Enclosing, Event, Forced, Graph, Macro, Momentary,
-    NumberRow, Order, Retained, Step, Stored, Target, Transition,
+    Arm, Assignment, Block, Crossing, Dependent, Duties, Enclosing, Event, Forced, Graph, Macro,
+    Momentary, NumberRow, Order, Retained, Step, Stored, Target, Transition,
 };
 
 /// How a program evolves within a scan.
@@ -153,6 +155,39 @@ pub struct Program<'a> {
 }
 
 impl Program<'_> {
+    /// The entrance steps of a transition of a graph, as rows of [`Program::steps`], in source order.
+    pub fn entrance_steps(
+        &self,
+        graph: &Graph,
+        transition: &Transition,
+    ) -> impl Iterator<Item = usize> + '_ {
+        match transition.crossing {
+            Crossing::Within { leaves, .. } => self.steps_of(graph, leaves, Run::EMPTY),
+            Crossing::Across { entrance, .. } => self.steps_of(graph, 0, entrance),
+        }
+    }
+
+    /// The exit steps of a transition of a graph, likewise.
+    pub fn exit_steps(
+        &self,
+        graph: &Graph,
+        transition: &Transition,
+    ) -> impl Iterator<Item = usize> + '_ {
+        match transition.crossing {
+            Crossing::Within { enters, .. } => self.steps_of(graph, enters, Run::EMPTY),
+            Crossing::Across { exit, .. } => self.steps_of(graph, 0, exit),
+        }
+    }
+
+    fn steps_of(&self, graph: &Graph, mask: u32, links: Run) -> impl Iterator<Item = usize> + '_ {
+        let first_bit = usize::from(graph.words.start) * 32;
+        let first_step = usize::from(graph.steps.start);
+        let linked = links.of(self.links).iter();
+        let linked = linked.filter_map(move |bit| usize::from(bit.0).checked_sub(first_bit));
+        let places = set_bits_of(mask).chain(linked);
+        places.map(move |place| first_step + place)
+    }
+
     /// What a step does beside momentary actions, if it does.
     pub(crate) fn duties_of(&self, step: &Step) -> Option<&Duties> {
         match step.duties {

@@ -1,8 +1,8 @@
 //! Edges and timers that remember: evaluated in every scan where they stand (`semantics.md`, "Edges", "Timers").
 
 use crate::engine::Engine;
-use crate::memory::{NEVER, Store};
-use crate::program::{Compiled, Bit, Code, Edge, Run, Stamp, Unit, Watch};
+use crate::memory::{Memory, NEVER};
+use crate::program::{Bit, Code, Compiled, Edge, Run, Stamp, Unit, Watch};
 
 /// Which evaluation of the watches it is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -15,7 +15,7 @@ pub(crate) enum Pass {
     Later,
 }
 
-impl<P: Compiled, S: Store> Engine<P, S> {
+impl<P: Compiled, M: Memory> Engine<P, M> {
     /// Evaluates watches in their order, so that an inner one is up to date for the one around it.
     pub(crate) fn watch(&mut self, watches: Run, pass: Pass) {
         let tables = self.tables;

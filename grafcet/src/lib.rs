@@ -1,6 +1,5 @@
 //! Running GRAFCET programs on a host: the same engine and the same tables as on a microcontroller, over vectors.
 //!
-//! - [`memory`]: the engine's memory, for any program;
 //! - [`machine`]: one program on its engine, across power cycles;
 //! - [`simulation`]: a controller and its plants in lock step;
 //! - [`images`]: what the images hold, as people read it;
@@ -13,7 +12,6 @@
 
 pub mod images;
 pub mod machine;
-pub mod memory;
 pub mod player;
 pub mod report;
 pub mod simulation;

@@ -5,14 +5,13 @@ use grafcet_core::engine::Engine;
 use grafcet_core::program::{Program, Slot};
 use typed_arena::Arena;
 
-use crate::memory::Vectors;
 use grafcet_core::images::Images;
+use grafcet_core::vectors::Vectors;
 
-/// Where the programs and memories of machines live.
+/// Where the programs of machines live.
 #[derive(Default)]
 pub struct Bench<'t> {
     programs: Arena<Program<'t>>,
-    memories: Arena<Vectors>,
 }
 
 impl<'t> Bench<'t> {
@@ -26,31 +25,31 @@ impl<'t> Bench<'t> {
     pub fn machine<'b>(&'b self, tables: &'t Tables) -> Machine<'b> {
         let program: &'b Program<'b> = self.programs.alloc(tables.program());
         Machine {
-            memories: &self.memories,
             program,
-            engine: power_on(program, &self.memories),
+            engine: power_on(program),
             started: false,
         }
     }
 }
 
-fn power_on<'b>(program: &'b Program<'b>, memories: &'b Arena<Vectors>) -> Engine<'b, 'b> {
-    let vectors = memories.alloc(Vectors::new(program));
-    Engine::new(program, vectors.memory())
+/// An engine over vectors, for a program of any size.
+pub type HostEngine<'b> = Engine<&'b Program<'b>, Vectors>;
+
+fn power_on<'b>(program: &'b Program<'b>) -> HostEngine<'b> {
+    Engine::new(program, Vectors::new(program))
 }
 
 /// A program and its engine.
 pub struct Machine<'b> {
-    memories: &'b Arena<Vectors>,
     program: &'b Program<'b>,
-    engine: Engine<'b, 'b>,
+    engine: HostEngine<'b>,
     started: bool,
 }
 
 impl<'b> Machine<'b> {
     /// The engine.
     #[must_use]
-    pub fn engine(&self) -> &Engine<'b, 'b> {
+    pub fn engine(&self) -> &HostEngine<'b> {
         &self.engine
     }
 
@@ -89,7 +88,7 @@ impl<'b> Machine<'b> {
 
     /// Loses power and gets it back: all is forgotten but what is retained. The next scan is scan 0.
     pub fn power_cycle(&mut self) {
-        let before = std::mem::replace(&mut self.engine, power_on(self.program, self.memories));
+        let before = std::mem::replace(&mut self.engine, power_on(self.program));
         self.started = false;
         for retained in self.program.retained {
             self.engine

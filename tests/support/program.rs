@@ -3,19 +3,22 @@
 use grafcet_compiler::application::{Symbols, Tables};
 use grafcet_compiler::{Target, compile};
 use grafcet_core::engine::Engine;
-use grafcet_core::memory::{Memory, Standing};
 use grafcet_core::program::{Names, Program, Slot};
+use grafcet_core::vectors::Vectors;
+
+/// An engine for a program of a test.
+pub type TestEngine = Engine<&'static Program<'static>, Vectors>;
 
 /// A program and what it calls its things.
 #[derive(Clone, Copy)]
-pub struct Compiled {
+pub struct Leaked {
     pub program: &'static Program<'static>,
     pub names: &'static Names<'static>,
     symbols: &'static Symbols,
 }
 
 /// Compiles the text of an application, which must be without errors.
-pub fn program(text: &str) -> Compiled {
+pub fn program(text: &str) -> Leaked {
     let none = |_: &str| Err(std::io::ErrorKind::NotFound.into());
     let compilation = compile("test.grafcet", text, &none, Target::Host);
     let application = compilation.application.unwrap_or_else(|| {
@@ -48,29 +51,17 @@ pub fn program(text: &str) -> Compiled {
         transitions: leak(transitions),
         retained: leak(retained),
     };
-    Compiled {
+    Leaked {
         program: Box::leak(Box::new(tables.program())),
         names: Box::leak(Box::new(names)),
         symbols,
     }
 }
 
-impl Compiled {
+impl Leaked {
     /// An engine with memory of its own.
-    pub fn engine(&self) -> Engine<'static, 'static> {
-        let layout = &self.program.layout;
-        let memory = Memory {
-            image: vec![0; usize::from(layout.words)].leak(),
-            numbers: vec![0; usize::from(layout.numbers)].leak(),
-            before: vec![0; layout.situation_words()].leak(),
-            before_scan: vec![0; layout.situation_words()].leak(),
-            fired: vec![0; usize::from(layout.fired)].leak(),
-            passed: vec![0; usize::from(layout.fired)].leak(),
-            stack: vec![0; usize::from(layout.stack)].leak(),
-            stamps: vec![0; usize::from(layout.stamps)].leak(),
-            standings: vec![Standing::FREE; self.program.graphs.len()].leak(),
-        };
-        Engine::new(self.program, memory)
+    pub fn engine(&self) -> TestEngine {
+        Engine::new(self.program, Vectors::new(self.program))
     }
 
     /// Where a variable lives.

@@ -1,11 +1,10 @@
 //! The demonstration: a test of the language whose steps are taken while a controller runs elsewhere, as the soft PLC
 //! here or on a board.
 
-use grafcet_core::engine::Engine;
 use grafcet_core::images::Images;
 use grafcet_core::program::{Bit, Program, Slot};
 
-use super::site::{Site, new_engine, run};
+use super::site::{HostEngine, Site, new_engine, run};
 
 /// A test, as the build lowered it.
 #[derive(Debug)]
@@ -102,7 +101,7 @@ pub enum Outcome {
 pub struct Player {
     script: &'static Script,
     period_ms: u32,
-    observer: Engine<'static, 'static>,
+    observer: HostEngine,
     /// Scans since the beginning.
     scans: u64,
     /// The step that is taken next, or under way.

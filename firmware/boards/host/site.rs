@@ -2,8 +2,9 @@
 
 use grafcet_core::engine::Engine;
 use grafcet_core::images::Images;
-use grafcet_core::memory::{Memory, Standing};
-use grafcet_core::program::{Program, Slot};
+use grafcet_core::memory::Memory;
+use grafcet_core::program::{Compiled, Program, Slot};
+use grafcet_core::vectors::Vectors;
 
 use super::script::Place;
 use crate::wiring::{InputWire, OutputWire};
@@ -33,7 +34,7 @@ pub struct Site {
 struct Plant {
     index: usize,
     tables: &'static PlantTables,
-    engine: Engine<'static, 'static>,
+    engine: HostEngine,
 }
 
 /// The terminal of one of the controller's inputs.
@@ -48,8 +49,7 @@ struct Terminal {
 }
 
 impl Site {
-    /// A site of these plants, with their indices, at rest. Their memory is never given back: a site lasts as long as
-    /// the process.
+    /// A site of these plants, with their indices, at rest.
     pub fn new(
         plants: impl Iterator<Item = (usize, &'static PlantTables)>,
         inputs: &'static [InputWire],
@@ -152,30 +152,19 @@ impl Site {
     }
 }
 
-/// An engine for a program of the host, which lasts as long as the process.
-pub(super) fn new_engine(program: &'static Program<'static>) -> Engine<'static, 'static> {
-    fn leak<T: Clone>(value: T, length: usize) -> &'static mut [T] {
-        vec![value; length].leak()
-    }
-    let layout = &program.layout;
-    let memory = Memory {
-        image: leak(0, usize::from(layout.words)),
-        numbers: leak(0, usize::from(layout.numbers)),
-        before: leak(0, layout.situation_words()),
-        before_scan: leak(0, layout.situation_words()),
-        fired: leak(0, usize::from(layout.fired)),
-        passed: leak(0, usize::from(layout.fired)),
-        stack: leak(0, usize::from(layout.stack)),
-        stamps: leak(0, usize::from(layout.stamps)),
-        standings: leak(Standing::FREE, program.graphs.len()),
-    };
-    Engine::new(program, memory)
+/// An engine for a program of the host.
+pub(super) type HostEngine = Engine<&'static Program<'static>, Vectors>;
+
+pub(super) fn new_engine(program: &'static Program<'static>) -> HostEngine {
+    Engine::new(program, Vectors::new(program))
 }
 
 /// Runs scan 0 at time 0, or a later scan.
-pub(super) fn run(engine: &mut Engine<'_, '_>, time_ms: u64) {
+pub(super) fn run(engine: &mut Engine<impl Compiled, impl Memory>, time_ms: u64) {
     match time_ms {
         0 => engine.start(),
-        _ => engine.scan(time_ms),
+        _ => {
+            engine.scan(time_ms);
+        }
     }
 }

@@ -13,6 +13,8 @@ use embassy_sync::signal::Signal;
 use embassy_time::{Duration, Timer};
 use grafcet_core::engine::Engine;
 use grafcet_core::images::Images;
+use grafcet_core::memory::Memory;
+use grafcet_core::program::Compiled;
 
 use super::flash::FlashFile;
 use super::lines;
@@ -20,7 +22,7 @@ use super::machine::Machine;
 use super::panel::Panel;
 use super::pins::{Input, Output};
 use super::script::{Next, Outcome};
-use crate::application::{INPUTS, NAMES, OUTPUTS, PROGRAM, RETAIN, Storage};
+use crate::application::{Application, INPUTS, NAMES, OUTPUTS, PROGRAM, RETAIN, Storage};
 use crate::boot::{Cause, boot};
 use crate::input::Inputs;
 use crate::log::Observer;
@@ -63,8 +65,7 @@ pub async fn run(machine: Machine, retain: &Path) -> io::Result<Outcome> {
 /// Runs the controller from power-on until the machine asks for something else than a scan.
 async fn power_on(board: SoftPlc<'_>, retain: &Path) -> io::Result<()> {
     let (panel, moved) = (board.panel, board.moved);
-    let mut storage = Storage::new();
-    let mut engine = Engine::new(&PROGRAM, storage.memory());
+    let mut engine = Engine::new(Application, Storage::new());
     let mut store = Store::new(FlashFile::open(retain, RETAIN)?, RETAIN);
     boot(&mut engine, &NAMES, &mut store, Cause::PowerOn).await;
     let stored: [i32; RETAINED] = snapshot(&engine);
@@ -118,7 +119,7 @@ impl Board for SoftPlc<'_> {
     /// A desktop is no real-time system: what costs no release is no news.
     const LATE_AFTER: Duration = Duration::from_millis(PROGRAM.period_ms as u64);
 
-    fn complete(&mut self, engine: &Engine<'_, '_>) {
+    fn complete(&mut self, engine: &Engine<impl Compiled, impl Memory>) {
         self.step(Some(&engine.images()));
     }
 }

@@ -19,9 +19,11 @@ use embassy_rp::interrupt::{InterruptExt, Priority};
 use embassy_rp::watchdog::Watchdog;
 use embassy_time::Duration;
 use grafcet_core::engine::Engine;
+use grafcet_core::memory::Memory;
+use grafcet_core::program::Compiled;
 
 use crate::application::{
-    INPUTS, NAMES, OUTPUTS, PROGRAM, RETAIN, Storage, WATCHDOG_MS, board_pins,
+    Application, INPUTS, NAMES, OUTPUTS, PROGRAM, RETAIN, Storage, WATCHDOG_MS, board_pins,
 };
 use crate::boot::boot;
 use crate::input::Inputs;
@@ -59,6 +61,8 @@ static SCAN_EXECUTOR: InterruptExecutor = InterruptExecutor::new();
 
 type PicoController = Controller<
     'static,
+    Application,
+    &'static mut Storage,
     Input<'static>,
     Output<'static>,
     Pico,
@@ -78,8 +82,8 @@ pub async fn run() -> ! {
     watchdog.start(BOOT_WATCHDOG);
 
     // SAFETY: this is the only place that names STORAGE, and main runs once.
-    let memory = unsafe { &mut *addr_of_mut!(STORAGE) }.memory();
-    let mut engine = Engine::new(&PROGRAM, memory);
+    let memory = unsafe { &mut *addr_of_mut!(STORAGE) };
+    let mut engine = Engine::new(Application, memory);
     let flash = Flash::<_, Blocking, FLASH_SIZE>::new_blocking(p.FLASH);
     let mut store = Store::new(BlockingAsync::new(flash), RETAIN);
     boot(&mut engine, &NAMES, &mut store, cause).await;
@@ -123,7 +127,7 @@ impl Board for Pico {
     /// The longest cause that is no fault is a page of flash being programmed, 0.4 ms at a time.
     const LATE_AFTER: Duration = Duration::from_millis(1);
 
-    fn complete(&mut self, _engine: &Engine<'_, '_>) {
+    fn complete(&mut self, _engine: &Engine<impl Compiled, impl Memory>) {
         self.watchdog.feed(SCAN_WATCHDOG);
         // One writer: no compare-and-swap is needed, and a Cortex-M0+ has none.
         SCANS.store(

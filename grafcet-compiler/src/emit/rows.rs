@@ -1,9 +1,10 @@
 //! Rows and tables as Rust expressions.
 
 use grafcet_core::program::{
-    Arm, Assignment, Bit, Block, Code, Condition, Crossing, Dependent, Duties, Edge, Edges, Enclosing, Event, Evolution,
-    Forced, Graph, Layout, Macro, Momentary, Number, NumberRow, Op, Order, Preset, Rest, Retained,
-    Run, Slot, Stamp, Step, Stored, Target, Term, Timer, Transition, Unit, Watch,
+    Arm, Assignment, Bit, Block, Code, Condition, Crossing, Dependent, Duties, Edge, Edges,
+    Enclosing, Event, Evolution, Forced, Graph, Layout, Macro, Momentary, Number, NumberRow, Op,
+    Order, Preset, Rest, Retained, Run, Slot, Stamp, Step, Stored, Target, Term, Timer, Transition,
+    Unit, Watch,
 };
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;

@@ -2,9 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use grafcet_core::program::{
-    Assignment, Dependent, Event, Momentary, Run, Slot, Stored, Target,
-};
+use grafcet_core::program::{Assignment, Dependent, Event, Momentary, Run, Slot, Stored, Target};
 
 use super::atoms::Atom;
 use super::graph::{StepRuns, since};

@@ -120,9 +120,7 @@ impl Lowering<'_> {
         if let Node::Bit(input) = node
             && self.has_input_edges(input)
         {
-            let bit = self
-                .watches
-                .input_edge(input, edge, &mut self.memories);
+            let bit = self.watches.input_edge(input, edge, &mut self.memories);
             return Node::Bit(bit);
         }
         let operand = self.pool.condition(&node, operand.span);

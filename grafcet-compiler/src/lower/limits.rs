@@ -23,10 +23,7 @@ pub(super) fn check(tables: &Tables, bits: usize, stamps: usize, whole: Span) ->
         (tables.steps.len(), "steps"),
         (tables.transitions.len(), "transitions"),
         (tables.graphs.len(), "graphs"),
-        (
-            tables.links.len(),
-            "entrances and exits of transitions",
-        ),
+        (tables.links.len(), "entrances and exits of transitions"),
         (
             tables.situations.len(),
             "words of situations that are initial, forced or enclosed",

@@ -3,7 +3,8 @@
 use std::collections::BTreeMap;
 
 use grafcet_core::program::{
-    Bit, Condition, Dependent, Enclosing, Event, Evolution, Momentary, Order, Run, Stamp, Stored, Term, Transition,
+    Bit, Condition, Dependent, Enclosing, Event, Evolution, Momentary, Order, Run, Stamp, Stored,
+    Term, Transition,
 };
 
 use super::atoms::Atom;

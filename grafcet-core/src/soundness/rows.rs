@@ -1,6 +1,8 @@
 //! Table by table, row by row.
 
-use crate::program::{Assignment, Bit, Crossing, Forced, Graph, Momentary, Order, Program, Rest, Run, Watch};
+use crate::program::{
+    Assignment, Bit, Crossing, Forced, Graph, Momentary, Order, Program, Rest, Run, Watch,
+};
 
 impl Program<'_> {
     pub(super) const fn numbers_are_sound(&self) -> bool {
@@ -263,8 +265,8 @@ impl Program<'_> {
     }
 
     const fn statement_is_sound(&self, statement: &Momentary) -> bool {
-        let conditional = statement.condition.terms.len > 0
-            || !matches!(statement.condition.rest, Rest::None);
+        let conditional =
+            statement.condition.terms.len > 0 || !matches!(statement.condition.rest, Rest::None);
         if (conditional && !self.momentary_varies)
             || !statement.targets.is_within(self.targets.len())
             || !self.condition_is_sound(statement.condition)

@@ -2,7 +2,6 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use grafcet::memory::Vectors;
 use grafcet::trace::Columns;
 use grafcet_compiler::application::{Application, Unit};
 use grafcet_compiler::diagnostic::Level;
@@ -10,7 +9,9 @@ use grafcet_compiler::render::{Style, render};
 use grafcet_compiler::source::FileId;
 use grafcet_compiler::{Target, ast, compile, parse};
 use grafcet_core::engine::Engine;
-use grafcet_core::program::{Bit, Number, Slot};
+use grafcet_core::memory::Memory;
+use grafcet_core::program::{Bit, Compiled, Number, Slot};
+use grafcet_core::vectors::Vectors;
 use grafcet_reference::{Machine, Program, Qualified};
 
 use crate::outcome::{Failure, Tally};
@@ -124,8 +125,7 @@ impl<'a> Comparison<'a> {
     /// Runs both and keeps the rows of the trace.
     fn compare(&self, stimulus: &[Scan], rows: &mut Vec<Vec<String>>) -> Result<Tally, Failure> {
         let tables = self.unit.tables.program();
-        let mut vectors = Vectors::new(&tables);
-        let mut engine = Engine::new(&tables, vectors.memory());
+        let mut engine = Engine::new(&tables, Vectors::new(&tables));
         let mut machine = Machine::new(self.reference);
         let mut inputs: BTreeMap<&String, i32> = self.inputs.keys().map(|name| (name, 0)).collect();
         let mut seen = Seen::default();
@@ -134,8 +134,7 @@ impl<'a> Comparison<'a> {
             if let Some(cycle) = &scan.power_cycle {
                 let kept = self.retained(&machine, cycle);
                 machine = Machine::new(self.reference);
-                vectors = Vectors::new(&tables);
-                engine = Engine::new(&tables, vectors.memory());
+                engine = Engine::new(&tables, Vectors::new(&tables));
                 for (name, value) in kept {
                     let full = full_name(name);
                     let taken = engine.restore(self.slots[full.as_str()], value);
@@ -200,7 +199,7 @@ impl<'a> Comparison<'a> {
     fn same_rows(
         &self,
         scan: usize,
-        engine: &Engine<'_, '_>,
+        engine: &Engine<impl Compiled, impl Memory>,
         machine: &Machine<'_>,
     ) -> Result<(), Failure> {
         let images = engine.images();
@@ -231,7 +230,7 @@ struct Seen {
 }
 
 impl Seen {
-    fn look(&mut self, engine: &Engine<'_, '_>) {
+    fn look(&mut self, engine: &Engine<impl Compiled, impl Memory>) {
         self.fired.extend(engine.fired());
         for graph in 0..engine.program().graphs.len() {
             let steps = engine.active_steps(graph);
@@ -241,7 +240,7 @@ impl Seen {
         self.unstable += usize::from(engine.bit(Bit::UNSTABLE));
     }
 
-    fn tally(&self, scans: usize, engine: &Engine<'_, '_>) -> Tally {
+    fn tally(&self, scans: usize, engine: &Engine<impl Compiled, impl Memory>) -> Tally {
         Tally {
             programs: 1,
             scans,
