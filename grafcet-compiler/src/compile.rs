@@ -19,6 +19,8 @@ pub enum Target {
     Host,
     /// An image for a board: every input and output of the application has an address or a binding.
     Firmware,
+    /// A drawing: what is only a text (level 1) is accepted, and nothing is made that could run.
+    Drawing,
 }
 
 /// What compiling gives.
@@ -28,7 +30,7 @@ pub struct Compilation {
     pub sources: Sources,
     /// Everything there is to say, by its place: the main file first.
     pub diagnostics: Vec<Diagnostic>,
-    /// The program; none when there is an error.
+    /// The program; none when there is an error, and none of a drawing.
     pub application: Option<Application>,
 }
 
@@ -50,7 +52,7 @@ pub fn compile(
 ) -> Compilation {
     let (sources, model, mut diagnostics) = analyse(path, text, load, target);
     let mut application = None;
-    if !has_errors(&diagnostics) {
+    if !has_errors(&diagnostics) && target != Target::Drawing {
         match lower::lower(&model) {
             Ok(lowered) => application = Some(lowered),
             Err(beyond) => diagnostics.extend(beyond),
@@ -79,6 +81,10 @@ fn analyse(
     diagnostics.extend(checks::errors(&model, &sources, target));
     let settled = !has_errors(&diagnostics);
     diagnostics.extend(checks::warnings(&model, settled));
+    if target == Target::Drawing {
+        // Only now: what a text of level 1 uses is not known, so nothing can be said to be unused.
+        diagnostics.retain(|it| it.rule != Rule::Level1Only);
+    }
     (sources, model, diagnostics)
 }
 

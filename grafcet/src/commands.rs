@@ -102,13 +102,13 @@ pub fn complain(error: &CommandError) {
 }
 
 /// Compiles a file.
-pub fn compile(path: &Path) -> Result<Compilation, CommandError> {
-    grafcet::source::compile(path, Target::Host).map_err(CommandError::file(path))
+pub fn compile(path: &Path, target: Target) -> Result<Compilation, CommandError> {
+    grafcet::source::compile(path, target).map_err(CommandError::file(path))
 }
 
 /// Compiles a file; when it is refused, the errors are said on standard error and there is no application.
 pub fn accepted(path: &Path) -> Result<Option<(Sources, Application)>, CommandError> {
-    let compilation = compile(path)?;
+    let compilation = compile(path, Target::Host)?;
     if let Some(application) = compilation.application {
         return Ok(Some((compilation.sources, application)));
     }

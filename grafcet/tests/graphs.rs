@@ -53,10 +53,15 @@ fn trials(root: &Path, path: &Path) -> io::Result<Vec<Trial>> {
         .unwrap_or(path)
         .display()
         .to_string();
-    let compilation = Arc::new(grafcet::source::compile(path, Target::Host)?);
+    // What is specified by texts only, for people, is drawn and does not run.
+    let target = match name.ends_with(".level1.grafcet") {
+        true => Target::Drawing,
+        false => Target::Host,
+    };
+    let compilation = Arc::new(grafcet::source::compile(path, target)?);
     let checked = Arc::clone(&compilation);
     let mut trials = vec![Trial::test(format!("{name}: accepted"), move || {
-        accepted(&checked)
+        accepted(&checked, target)
     })];
     let tests = compilation.application.iter().flat_map(|a| &a.tests);
     for (index, test) in tests.enumerate() {
@@ -68,8 +73,9 @@ fn trials(root: &Path, path: &Path) -> io::Result<Vec<Trial>> {
     Ok(trials)
 }
 
-fn accepted(compilation: &Compilation) -> Result<(), Failed> {
-    if compilation.diagnostics.is_empty() && compilation.application.is_some() {
+fn accepted(compilation: &Compilation, target: Target) -> Result<(), Failed> {
+    let runs = compilation.application.is_some();
+    if compilation.diagnostics.is_empty() && runs == (target != Target::Drawing) {
         return Ok(());
     }
     Err(render(
