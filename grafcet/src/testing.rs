@@ -53,14 +53,14 @@ pub enum Claimed {
     },
 }
 
-/// Runs a test of an application; `each_scan` sees the controller's time stamp and images after every scan.
+/// Runs a test of an application; `each_scan` sees the simulation after every scan.
 ///
 /// # Errors
 /// The first claim that does not hold.
 pub fn run(
     application: &Application,
     test: &Test,
-    each_scan: impl FnMut(u64, Images<'_>),
+    each_scan: impl FnMut(&Simulation<'_>),
 ) -> Result<(), Box<Failure>> {
     let bench = Bench::new();
     let mut run = Run {
@@ -138,7 +138,7 @@ struct Past {
     values: Vec<i32>,
 }
 
-impl<'a, F: FnMut(u64, Images<'_>)> Run<'a, '_, F> {
+impl<'a, F: FnMut(&Simulation<'_>)> Run<'a, '_, F> {
     fn step(&mut self, step: &'a TestStep) -> Result<(), Box<Failure>> {
         self.during = step.span;
         match &step.kind {
@@ -237,7 +237,7 @@ impl<'a, F: FnMut(u64, Images<'_>)> Run<'a, '_, F> {
         }
         self.observer.scan(self.simulation.elapsed_ms());
         self.remember();
-        (self.each_scan)(self.simulation.time_ms(), self.simulation.images());
+        (self.each_scan)(&self.simulation);
         for index in 0..self.standing.len() {
             if let Some(standing) = self.standing.get(index).copied() {
                 self.check(standing.claimed, standing.claim, standing.span)?;

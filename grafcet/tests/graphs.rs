@@ -89,7 +89,7 @@ fn accepted(compilation: &Compilation, target: Target) -> Result<(), Failed> {
 fn run(compilation: &Compilation, index: usize) -> Result<(), Failed> {
     let application = compilation.application.as_ref().ok_or("refused")?;
     let test = application.tests.get(index).ok_or("no such test")?;
-    testing::run(application, test, |_, _| {}).map_err(|failure| {
+    testing::run(application, test, |_| {}).map_err(|failure| {
         let place = render(
             &[failure.diagnostic()],
             &compilation.sources,

@@ -27,7 +27,7 @@ fn every_program_in_the_manual_compiles_without_a_word_and_passes_its_tests() {
         faults += &render(&compiled.diagnostics, &compiled.sources, style);
         if let Some(application) = &compiled.application {
             for test in &application.tests {
-                if let Err(failure) = testing::run(application, test, |_, _| {}) {
+                if let Err(failure) = testing::run(application, test, |_| {}) {
                     faults += &render(&[failure.diagnostic()], &compiled.sources, style);
                 }
             }
