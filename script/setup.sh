@@ -58,13 +58,25 @@ setup_uf2() {
     fi
 }
 
-# Builds the image; prints nothing but progress. The ELF is $IMAGE.
+# Builds the image; prints nothing but progress. The ELF is $IMAGE. Arguments go to cargo.
 build_image() {
     setup_target
-    say "building the image for the Pico"
+    say "building the image for the Pico${PLC:+ from $PLC}"
     # The same sources give the same bytes on every machine: no path of this one in the places of panics.
     local registry="${CARGO_HOME:-$HOME/.cargo}/registry/src"
     cargo build --locked --release --target "$TARGET" --package plc --bin plc \
-        --config "target.$TARGET.rustflags=[\"--remap-path-prefix=$registry=registry\"]"
+        --config "target.$TARGET.rustflags=[\"--remap-path-prefix=$registry=registry\"]" "$@"
     IMAGE="$BUILD_DIR/$TARGET/release/plc"
+}
+
+# Builds the images of the applications that only tests use: $IMAGES/NAME for tests/emulated/applications/NAME.
+build_test_images() {
+    IMAGES="$BUILD_DIR/test-images"
+    mkdir -p "$IMAGES"
+    local wiring
+    for wiring in tests/emulated/applications/*/plc.toml; do
+        # Quietly: what a program that has to show everything is warned of is no news.
+        PLC=$wiring build_image --quiet
+        cp "$IMAGE" "$IMAGES/$(basename "$(dirname "$wiring")")"
+    done
 }
