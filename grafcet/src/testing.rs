@@ -5,7 +5,9 @@
 
 use std::collections::{BTreeMap, VecDeque};
 
-use grafcet_compiler::application::{Application, Claim, Place, Test, TestStep, TestStepKind};
+use grafcet_compiler::application::{
+    Application, Claim, GraphSymbol, Place, Test, TestStep, TestStepKind,
+};
 use grafcet_compiler::source::Span;
 
 use crate::images::situation;
@@ -13,11 +15,13 @@ use crate::machine::{Bench, Machine};
 use crate::simulation::Simulation;
 use crate::table::Table;
 use grafcet_core::images::Images;
+use grafcet_core::program::Slot;
 
 /// How many scans before a failure are shown.
 const SHOWN_SCANS: usize = 8;
 
-/// Of more graphs than this, only those are shown whose situation changed in the scans shown.
+/// Of more graphs than this, only those are shown whose situation changed in the scans shown, or whose steps the test
+/// asks for.
 const SHOWN_GRAPHS: usize = 3;
 
 /// Why a test failed.
@@ -285,6 +289,15 @@ impl<'a, F: FnMut(&Simulation<'_>)> Run<'a, '_, F> {
         });
     }
 
+    /// Whether a claim of the test reads a step bit or the situation of a graph.
+    fn asks_for(&self, graph: &GraphSymbol) -> bool {
+        let mut reads = self.test.observer.reads.iter();
+        reads.any(|(place, _)| {
+            let mut steps = graph.steps.iter();
+            steps.any(|step| *place == Place::Controller(Slot::Bit(step.bit)))
+        })
+    }
+
     fn last_scans(&self, claim: &Claim) -> Table {
         let mut table = Table::default();
         let times = self.past.iter().map(|past| past.time_ms.to_string());
@@ -303,7 +316,7 @@ impl<'a, F: FnMut(&Simulation<'_>)> Run<'a, '_, F> {
             let moved = situations
                 .windows(2)
                 .any(|pair| pair.first() != pair.last());
-            if moved || !many {
+            if moved || !many || self.asks_for(graph) {
                 table.column(&graph.name, situations);
             }
         }
