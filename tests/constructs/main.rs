@@ -82,7 +82,10 @@ fn every_construct_of_the_syntax_occurs_in_a_program_for_the_image() {
 fn every_operation_of_the_tables_occurs_in_a_program_for_the_image() {
     let mut seen = Seen::new();
     for loaded in applications() {
-        let (application, _) = loaded.image.as_ref().expect(&loaded.errors());
+        let (application, _) = loaded
+            .image
+            .as_ref()
+            .unwrap_or_else(|| panic!("{}", loaded.errors()));
         tables::look(&application.controller.tables.program(), &mut seen);
     }
     let demanded = kinds::tables()

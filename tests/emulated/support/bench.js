@@ -54,6 +54,20 @@ export class Bench {
     return this.#images().value(this.#application.symbols.variables[name]);
   }
 
+  /** Gives a variable or parameter a value between two scans, as a debugger does. */
+  give(name, value) {
+    const { layout, variables } = this.#application.symbols;
+    const { bit, number } = variables[name];
+    const { address } = this.pico.symbol('PLC_STORAGE');
+    if (bit === undefined) {
+      this.pico.write32(address + 4 * (layout.words + number), value >>> 0);
+      return;
+    }
+    const word = address + 4 * (bit >>> 5);
+    const others = this.pico.read32(word) & ~(1 << (bit & 31));
+    this.pico.write32(word, (others | (value << (bit & 31))) >>> 0);
+  }
+
   #images() {
     const { words, numbers } = this.#application.symbols.layout;
     const bytes = this.pico.readBytes('PLC_STORAGE', 4 * (words + numbers));
