@@ -13,8 +13,17 @@ use crate::report::Report;
 use crate::source::{FileId, Span};
 use token::{Token, TokenKind};
 
-/// All tokens of a text, the last of them [`TokenKind::EndOfFile`]. Linear in the size of the text.
-pub(crate) fn tokens(file: FileId, text: &str, report: &mut Report) -> Vec<Token> {
+/// What a text consists of, in source order.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Lexed {
+    /// All tokens, the last of them [`TokenKind::EndOfFile`].
+    pub(crate) tokens: Vec<Token>,
+    /// All comments.
+    pub(crate) comments: Vec<Span>,
+}
+
+/// All tokens and comments of a text. Linear in the size of the text.
+pub(crate) fn lex(file: FileId, text: &str, report: &mut Report) -> Lexed {
     scan::Scanner::new(file, text, report).run()
 }
 
