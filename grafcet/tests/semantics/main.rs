@@ -11,6 +11,7 @@ mod enclosing;
 mod firing;
 mod hierarchy;
 mod numbers;
+mod open;
 mod orders;
 mod plants;
 mod power;
