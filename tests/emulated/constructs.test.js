@@ -55,7 +55,7 @@ test('edges, timers, numbers and actions of every kind run in the image', () => 
   assertOnTime(run.log);
   assertAlive(application, run, {
     unseen: [],
-    constant: ['delay', 'batch', 'inverted', 'pause', 'missed', 'recovered', 'restless'],
+    constant: ['delay', 'batch', 'inverted', 'pause', 'worn', 'missed', 'recovered', 'restless'],
   });
 });
 
