@@ -1,6 +1,8 @@
 //! The response time of `graphs/examples/response_time`, measured from its traces: an input that changes at each ms
 //! between two scans. *Grafcet Step-by-Step*, ch. 9 claims almost one scan at best and almost two at worst.
 
+#![allow(clippy::expect_used, reason = "a failed expectation is a failed test")]
+
 use std::path::Path;
 
 use grafcet::machine::Bench;
