@@ -69,12 +69,15 @@ build_image() {
     IMAGE="$BUILD_DIR/$TARGET/release/plc"
 }
 
-# Builds the images of the applications that only tests use: $IMAGES/NAME for tests/emulated/applications/NAME.
+# Builds the images of the applications that only tests use, each as $IMAGES/NAME: those of tests/emulated/applications,
+# and the random ones, which a test of the reference writes to $RANDOM_PROGRAMS.
 build_test_images() {
     IMAGES="$BUILD_DIR/test-images"
+    RANDOM_PROGRAMS="$BUILD_DIR/tmp/applications"
     mkdir -p "$IMAGES"
+    cargo test --locked --quiet --package grafcet-reference --test differential board::
     local wiring
-    for wiring in tests/emulated/applications/*/plc.toml; do
+    for wiring in tests/emulated/applications/*/plc.toml "$RANDOM_PROGRAMS"/*/plc.toml; do
         # Quietly: what a program that has to show everything is warned of is no news.
         PLC=$wiring build_image --quiet
         cp "$IMAGE" "$IMAGES/$(basename "$(dirname "$wiring")")"

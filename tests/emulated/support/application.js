@@ -1,12 +1,12 @@
 // An application as it was built: its program, its wires and its image.
 
 import { execFileSync } from 'node:child_process';
-import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { mkdtempSync, readFileSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
-import { dirname, join, relative } from 'node:path';
+import { basename, dirname, join, resolve } from 'node:path';
 import { fileURLToPath } from 'node:url';
 
-const { PLC_IMAGE, PLC_IMAGES, PLC_HOST } = process.env;
+const { PLC_IMAGE, PLC_IMAGES, PLC_RANDOM, PLC_HOST } = process.env;
 const TOP = fileURLToPath(new URL('../../..', import.meta.url));
 const grafcet = (...args) =>
   execFileSync(join(PLC_HOST, 'grafcet'), args, { cwd: TOP, encoding: 'utf8', maxBuffer: 1 << 28 });
@@ -30,12 +30,21 @@ export class Application {
     return new Application(`tests/emulated/applications/${name}/plc.toml`, join(PLC_IMAGES, name));
   }
 
+  /** The random programs, which `reference/tests/differential/board.rs` writes. */
+  static random() {
+    const names = readdirSync(PLC_RANDOM).sort();
+    return names.map((name) => new Application(join(PLC_RANDOM, name, 'plc.toml'), join(PLC_IMAGES, name)));
+  }
+
   constructor(plc, image) {
-    const wiring = readFileSync(join(TOP, plc), 'utf8');
+    const path = resolve(TOP, plc);
+    const wiring = readFileSync(path, 'utf8');
+    /** Its directory's name. */
+    this.name = basename(dirname(path));
     /** The ELF file. */
     this.image = image;
-    /** The program, from the top. */
-    this.program = relative(TOP, join(TOP, dirname(plc), /^application = "(.*?)"/m.exec(wiring)[1]));
+    /** The path of the program. */
+    this.program = join(dirname(path), /^application = "(.*?)"/m.exec(wiring)[1]);
     /** What `grafcet symbols` says. */
     this.symbols = JSON.parse(grafcet('symbols', this.program));
     /** @type {Input[]} */
