@@ -120,7 +120,7 @@ pub enum Type {
 pub struct Declaration {
     /// What is declared.
     pub kind: DeclarationKind,
-    /// One or more names.
+    /// One or more names; none where they are missing.
     pub names: Vec<Name>,
     /// The type, when written.
     pub ty: Option<(Type, Span)>,
@@ -132,6 +132,8 @@ pub struct Declaration {
     pub range: Option<(Constant, Constant)>,
     /// Level-1 text.
     pub text: Option<Text>,
+    /// Its type may stand in a part that cannot be read.
+    pub doubtful: bool,
     /// The whole declaration.
     pub span: Span,
 }
@@ -156,6 +158,8 @@ pub enum ConstantKind {
     Bool(bool),
     /// The name of a `const`, and whether a minus sign stands before it.
     Name(Name, bool),
+    /// A number or duration that cannot be read, which has been reported.
+    Unreadable,
 }
 
 /// The body of a graph, a template or a plant.

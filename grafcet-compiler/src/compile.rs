@@ -88,18 +88,21 @@ fn analyse(
     (sources, model, diagnostics)
 }
 
-/// Adds what has been found, but no unknown name that stands in a line which the parser could not read: what is
-/// declared there is not known.
+/// Adds what has been found, but no unknown name that stands, other than where it is used, in a line which the parser
+/// could not read: what is declared there is not known.
 fn take_fresh(sources: &Sources, diagnostics: &mut Vec<Diagnostic>, found: Vec<Diagnostic>) {
+    const UNKNOWN: [Rule; 3] = [Rule::UnknownName, Rule::UnknownGraph, Rule::UnknownStep];
     let lines: BTreeSet<Span> = diagnostics
         .iter()
         .map(|it| line(sources, it.span))
         .collect();
-    let unread: BTreeSet<&str> = lines
-        .iter()
-        .flat_map(|line| words(sources.text(*line)))
+    let unknown = found.iter().filter(|it| UNKNOWN.contains(&it.rule));
+    let used: BTreeSet<Span> = unknown.map(|it| it.span).collect();
+    let words = lines.iter().flat_map(|line| words(sources, *line));
+    let unread: BTreeSet<&str> = words
+        .filter(|word| !used.contains(word))
+        .map(|word| sources.text(word))
         .collect();
-    let unknown = [Rule::UnknownName, Rule::UnknownGraph, Rule::UnknownStep];
     let may_be_declared = |name: &str| {
         let step = name.strip_prefix('X').unwrap_or(name);
         unread.contains(name) || unread.contains(step)
@@ -107,7 +110,7 @@ fn take_fresh(sources: &Sources, diagnostics: &mut Vec<Diagnostic>, found: Vec<D
     diagnostics.extend(
         found
             .into_iter()
-            .filter(|it| !(unknown.contains(&it.rule) && may_be_declared(sources.text(it.span)))),
+            .filter(|it| !(UNKNOWN.contains(&it.rule) && may_be_declared(sources.text(it.span)))),
     );
 }
 
@@ -127,10 +130,23 @@ fn line(sources: &Sources, span: Span) -> Span {
     }
 }
 
-/// The names and numbers in a line.
-fn words(line: &str) -> impl Iterator<Item = &str> {
-    line.split(|c: char| !(c.is_alphanumeric() || c == '_'))
-        .filter(|word| !word.is_empty())
+/// The places of the names and numbers in a line.
+fn words(sources: &Sources, line: Span) -> impl Iterator<Item = Span> {
+    let mut start = line.start;
+    let parts = sources
+        .text(line)
+        .split_inclusive(|c: char| !(c.is_alphanumeric() || c == '_'));
+    parts.filter_map(move |part| {
+        let length = |text: &str| u32::try_from(text.len()).unwrap_or(u32::MAX);
+        let word = part.trim_end_matches(|c: char| !(c.is_alphanumeric() || c == '_'));
+        let span = Span {
+            start,
+            end: start.saturating_add(length(word)),
+            ..line
+        };
+        start = start.saturating_add(length(part));
+        (!word.is_empty()).then_some(span)
+    })
 }
 
 fn has_errors(diagnostics: &[Diagnostic]) -> bool {

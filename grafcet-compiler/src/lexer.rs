@@ -13,6 +13,10 @@ use crate::report::Report;
 use crate::source::{FileId, Span};
 use token::{Token, TokenKind};
 
+/// How many bytes of UTF-8 a name, a number, a duration or an address may have. Messages repeat names, so a longer one
+/// would make them long out of all proportion.
+pub const MAX_WORD: usize = 4096;
+
 /// What a text consists of, in source order.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Lexed {

@@ -17,6 +17,7 @@ mod timers;
 use crate::ast::File;
 use crate::diagnostic::Diagnostic;
 use crate::lexer;
+pub use crate::lexer::MAX_WORD;
 pub use crate::report::MAX_SYNTAX_ERRORS;
 use crate::report::Report;
 use crate::source::FileId;

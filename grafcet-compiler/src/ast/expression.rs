@@ -21,6 +21,8 @@ pub enum ExpressionKind {
     Integer(i64),
     /// A duration in milliseconds, saturated to 64 bits.
     Duration(i64),
+    /// A number or duration that cannot be read, which has been reported.
+    Unreadable,
     /// A variable, a step bit or a `System:` name.
     Ref(Ref),
     /// `S(Graph) = {..}`, or `<>`.

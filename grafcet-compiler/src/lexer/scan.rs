@@ -6,7 +6,7 @@ use crate::report::Report;
 use crate::source::{FileId, Span};
 
 use super::token::{Token, TokenKind};
-use super::{Lexed, begins_name, continues_name, span};
+use super::{Lexed, MAX_WORD, begins_name, continues_name, span};
 
 /// A blank within a line.
 fn is_blank(c: char) -> bool {
@@ -72,7 +72,7 @@ impl<'a, 'r, 'd> Scanner<'a, 'r, 'd> {
     }
 
     fn push(&mut self, kind: TokenKind, start: usize, newline: bool) {
-        let place = self.span_from(start);
+        let place = self.limited(kind, start);
         if let Some(last) = self.tokens.last_mut()
             && (last.kind, kind) == (TokenKind::Unknown, TokenKind::Unknown)
         {
@@ -93,6 +93,22 @@ impl<'a, 'r, 'd> Scanner<'a, 'r, 'd> {
             newline,
             breaks: newline && !goes_on,
         });
+    }
+
+    /// Where a token stands. Of a word that is too long, which is reported, what is within the limit.
+    fn limited(&mut self, kind: TokenKind, start: usize) -> Span {
+        use TokenKind::{Address, Duration, Name, Number};
+        let length = self.at - start;
+        if length <= MAX_WORD || !matches!(kind, Name | Number | Duration | Address) {
+            return self.span_from(start);
+        }
+        let end = self.text.floor_char_boundary(start + MAX_WORD);
+        let place = span(self.file, start, end);
+        let message =
+            format!("a name or a number is at most {MAX_WORD} bytes long; this one has {length}");
+        self.report
+            .push(Diagnostic::new(Rule::Syntax, place, message));
+        place
     }
 
     fn rest(&self) -> &'a str {
