@@ -1,4 +1,5 @@
-//! Every test of every `.grafcet` file under `graphs/`, each under its own name.
+//! Every test of every `.grafcet` file under `graphs/`, each under its own name; and each file is laid out as
+//! `grafcet fmt` does it.
 
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -6,7 +7,9 @@ use std::sync::Arc;
 use std::{fs, io};
 
 use grafcet::testing;
+use grafcet_compiler::format::{Unformatted, format};
 use grafcet_compiler::render::{Style, render};
+use grafcet_compiler::source::FileId;
 use grafcet_compiler::{Compilation, Target};
 use libtest_mimic::{Arguments, Failed, Trial};
 
@@ -46,7 +49,7 @@ fn programs(directory: &Path) -> io::Result<Vec<PathBuf>> {
     Ok(programs)
 }
 
-/// One trial that the program is accepted without a warning, and one for each of its tests.
+/// One trial that the program is accepted without a warning, one of its layout, and one for each of its tests.
 fn trials(root: &Path, path: &Path) -> io::Result<Vec<Trial>> {
     let name = path
         .strip_prefix(root)
@@ -63,6 +66,10 @@ fn trials(root: &Path, path: &Path) -> io::Result<Vec<Trial>> {
     let mut trials = vec![Trial::test(format!("{name}: accepted"), move || {
         accepted(&checked, target)
     })];
+    let text = fs::read_to_string(path)?;
+    trials.push(Trial::test(format!("{name}: laid out"), move || {
+        laid_out(&text)
+    }));
     let tests = compilation.application.iter().flat_map(|a| &a.tests);
     for (index, test) in tests.enumerate() {
         let compilation = Arc::clone(&compilation);
@@ -84,6 +91,15 @@ fn accepted(compilation: &Compilation, target: Target) -> Result<(), Failed> {
         Style::default(),
     )
     .into())
+}
+
+fn laid_out(text: &str) -> Result<(), Failed> {
+    match format(FileId(0), text) {
+        Ok(layout) if layout == text => Ok(()),
+        Ok(_) => Err("lay it out with `grafcet fmt`".into()),
+        Err(Unformatted::Wrong(_)) => Err("it does not fit the grammar".into()),
+        Err(Unformatted::Otherwise) => Err("laid out it would be read otherwise".into()),
+    }
 }
 
 fn run(compilation: &Compilation, index: usize) -> Result<(), Failed> {

@@ -7,7 +7,9 @@ use std::{fs, io};
 
 use grafcet::testing;
 use grafcet_compiler::diagnostic::Rule;
+use grafcet_compiler::format::format;
 use grafcet_compiler::render::{Style, render};
+use grafcet_compiler::source::FileId;
 use grafcet_compiler::{Target, compile};
 
 /// A block of the manual that is a whole program.
@@ -36,6 +38,15 @@ fn every_program_in_the_manual_compiles_without_a_word_and_passes_its_tests() {
         }
     }
     assert!(faults.is_empty(), "\n{faults}");
+}
+
+#[test]
+fn every_program_in_the_manual_is_laid_out_as_the_formatter_does_it() {
+    for example in examples().expect("the manual can be read") {
+        let layout = format(FileId(0), &example.text);
+        let place = format!("{}:{}", example.page, example.line);
+        assert_eq!(layout.ok(), Some(example.text), "{place}");
+    }
 }
 
 #[test]
