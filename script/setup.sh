@@ -58,13 +58,28 @@ setup_uf2() {
     fi
 }
 
-# Builds the image; prints nothing but progress. The ELF is $IMAGE.
+# Builds the image; prints nothing but progress. The ELF is $IMAGE. Arguments go to cargo.
 build_image() {
     setup_target
-    say "building the image for the Pico"
+    say "building the image for the Pico${PLC:+ from $PLC}"
     # The same sources give the same bytes on every machine: no path of this one in the places of panics.
     local registry="${CARGO_HOME:-$HOME/.cargo}/registry/src"
     cargo build --locked --release --target "$TARGET" --package plc --bin plc \
-        --config "target.$TARGET.rustflags=[\"--remap-path-prefix=$registry=registry\"]"
+        --config "target.$TARGET.rustflags=[\"--remap-path-prefix=$registry=registry\"]" "$@"
     IMAGE="$BUILD_DIR/$TARGET/release/plc"
+}
+
+# Builds the images of the applications that only tests use, each as $IMAGES/NAME: those of tests/emulated/applications,
+# and the random ones, which a test of the reference writes to $RANDOM_PROGRAMS.
+build_test_images() {
+    IMAGES="$BUILD_DIR/test-images"
+    RANDOM_PROGRAMS="$BUILD_DIR/tmp/applications"
+    mkdir -p "$IMAGES"
+    cargo test --locked --quiet --package grafcet-reference --test differential board::
+    local wiring
+    for wiring in tests/emulated/applications/*/plc.toml "$RANDOM_PROGRAMS"/*/plc.toml; do
+        # Quietly: what a program that has to show everything is warned of is no news.
+        PLC=$wiring build_image --quiet
+        cp "$IMAGE" "$IMAGES/$(basename "$(dirname "$wiring")")"
+    done
 }

@@ -168,6 +168,12 @@ export class Board {
     this.clock.createAlarm(callback, { lasting: true }).scheduleAt(timeNs);
   }
 
+  /** The system timer counts on from so many microseconds later. */
+  leapTimer(us) {
+    this.#needPower();
+    this.chip.timer.leap(us);
+  }
+
   // ---- memory without side effects -----------------------------------------------------------
 
   read32(address) {
@@ -177,7 +183,7 @@ export class Board {
   /** @returns {Uint8Array} a copy from SRAM or flash; fewer bytes where that ends */
   readBytes(address, length) {
     if (address >= SRAM_BASE) {
-      if (!this.chip) throw new UsageError('power has never been on: memory holds nothing yet');
+      this.#needPower();
       return this.chip.sram.slice(address - SRAM_BASE, address - SRAM_BASE + length);
     }
     return this.flash.bytes.slice(address - FLASH_BASE, address - FLASH_BASE + length);
@@ -185,6 +191,7 @@ export class Board {
 
   /** Into SRAM, unseen by watchers. */
   write32(address, value) {
+    this.#needPower();
     this.chip.sramView.setUint32(address - SRAM_BASE, value, true);
   }
 
@@ -245,6 +252,10 @@ export class Board {
     this.chip.uart.forEach((uart, n) => (uart.onByte = (byte) => this.#onUartByte(n, byte)));
     this.pins.attach(this.chip);
     this.#started(cause);
+  }
+
+  #needPower() {
+    if (!this.chip) throw new UsageError('power has never been on: memory holds nothing yet');
   }
 
   #resetSoon(action) {

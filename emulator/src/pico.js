@@ -156,6 +156,16 @@ export class Pico {
     this.#board.at(Math.round(ms * NS_PER_MS), callback);
   }
 
+  /**
+   * Lets the system timer leap, as if the chip had stood still for so long: the firmware sees a time far ahead without
+   * the bench having to wait for it. The watchdog and all else count on from where they are.
+   * @param {number} ms a whole number of microseconds
+   */
+  leap(ms) {
+    checkDuration(ms);
+    this.#board.leapTimer(Math.round(ms * 1000));
+  }
+
   // ---- pins ----------------------------------------------------------------------------------
 
   /** Wires a level to a pin: 0, 1, or null to let the pull resistors decide. */
@@ -312,16 +322,18 @@ export class Pico {
     return this.#board.readBytes(this.#address(where), length);
   }
 
+  /** Stores a word in SRAM as a debugger does, unseen by `onStore`. @param {number | string} where address or symbol */
+  write32(where, value) {
+    this.#board.write32(this.#inSram(where), value);
+  }
+
   /**
    * Calls back after each store of the core or the DMA to a word of SRAM, without disturbing it.
    * @param {number | string} where address or symbol
    * @returns {() => void} ends it
    */
   onStore(where, callback) {
-    const address = this.#address(where);
-    if (address < SRAM_BASE || address >= SRAM_BASE + SRAM_SIZE) {
-      throw new UsageError(`0x${address.toString(16)} is not in SRAM`);
-    }
+    const address = this.#inSram(where);
     this.#board.watch(address, callback);
     return () => this.#board.unwatch(address, callback);
   }
@@ -379,6 +391,12 @@ export class Pico {
 
   #address(where) {
     return typeof where === 'string' ? this.symbol(where).address : where;
+  }
+
+  #inSram(where) {
+    const address = this.#address(where);
+    if (address >= SRAM_BASE && address < SRAM_BASE + SRAM_SIZE) return address;
+    throw new UsageError(`0x${address.toString(16)} is not in SRAM`);
   }
 }
 

@@ -66,6 +66,28 @@ test('a store to a watched word is told once it is done', (t) => {
   assert.throws(() => pico.symbol('missing'), /no symbol missing/);
 });
 
+test('a word of memory can be stored as by a debugger, and only there', (t) => {
+  const pico = new Pico(image(t, idle(), { counter: SRAM + 64 }));
+  const seen = [];
+  pico.onStore('counter', () => seen.push(pico.read32('counter')));
+  pico.write32('counter', 0xcafe_f00d);
+  pico.runFor(1);
+  assert.equal(pico.read32(SRAM + 64), 0xcafe_f00d);
+  assert.deepEqual(seen, []);
+  assert.throws(() => pico.write32(FLASH, 1), UsageError);
+});
+
+test('a leap brings firmware into a time far ahead', (t) => {
+  const pico = new Pico(image(t, blink()));
+  pico.runFor(5.5);
+  pico.leap(50 * 24 * 3_600_000);
+  pico.runFor(3);
+  assert.equal(pico.timeMs, 8.5, 'the bench does not leap');
+  const sinceLeap = pico.edgesOf({ pin: 25, fromNs: 5.5 * MS }).map(({ timeNs }) => timeNs - 5.5 * MS);
+  assert.equal(sinceLeap.length, 3);
+  assert.ok(sinceLeap[0] < 5000, `what was leapt over goes off at once, after ${sinceLeap[0]} ns`);
+});
+
 test('firmware can tell power, the RUN pin and the watchdog apart', (t) => {
   const report = new Program()
     .copy(CHIP_RESET, SRAM)

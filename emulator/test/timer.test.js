@@ -82,3 +82,30 @@ test('the lower word rolls over into the upper one, and reading the lower one la
   chip.pass(US);
   assert.equal(timer.readUint32(INTR), 1);
 });
+
+test('a leap sets off the alarms that it passes, and no other', () => {
+  const { chip, timer, write } = setUp(2 ** 32 - 100);
+  timer.start();
+  write(INTE, 15);
+  write(ALARM0, 50);
+  write(ALARM0 + 4, 500);
+  chip.pass(10 * US);
+  timer.leap(400);
+  chip.pass(0);
+  assert.equal(timer.readUint32(INTR), 1);
+  assert.equal(timer.readUint32(TIMERAWL), 310);
+  chip.pass(190 * US - 1);
+  assert.equal(timer.readUint32(INTR), 1);
+  chip.pass(1);
+  assert.equal(timer.readUint32(INTR), 3);
+});
+
+test('a leap of weeks keeps the fraction of a microsecond', () => {
+  const { chip, timer } = setUp();
+  timer.start();
+  chip.pass(1_600);
+  timer.leap(5_000 * 2 ** 32);
+  chip.pass(400);
+  assert.equal(timer.readUint32(TIMELR), 2);
+  assert.equal(timer.readUint32(TIMEHR), 5_000);
+});

@@ -12,7 +12,7 @@ pub use expression::{Binary, Expression, ExpressionKind, Unary};
 use crate::source::Span;
 
 /// A name or word with its place; the text is in Unicode NFC.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct Name {
     /// The name, NFC.
     pub text: String,
@@ -21,7 +21,7 @@ pub struct Name {
 }
 
 /// A text in quotation marks: the level-1 text of the element it follows.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct Text {
     /// What stands between the quotation marks.
     pub text: String,
@@ -30,7 +30,7 @@ pub struct Text {
 }
 
 /// `name` or `Graph:name`.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct Ref {
     /// The graph (or plant, or `System`) in front of the colon.
     pub graph: Option<Name>,
@@ -41,7 +41,7 @@ pub struct Ref {
 }
 
 /// One file.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug, Default, Hash)]
 pub struct File {
     /// `import "path"`.
     pub imports: Vec<Text>,
@@ -54,7 +54,7 @@ pub struct File {
 }
 
 /// An option of the application.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Hash)]
 pub enum ScanOption {
     /// `scan 10ms`: the period.
     Period(Constant),
@@ -68,7 +68,7 @@ pub enum ScanOption {
 }
 
 /// A top-level element.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Hash)]
 pub enum Item {
     /// A global declaration.
     Declaration(Declaration),
@@ -87,7 +87,7 @@ pub enum Item {
 }
 
 /// What a declaration declares.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum DeclarationKind {
     /// `input`.
     Input,
@@ -105,7 +105,7 @@ pub enum DeclarationKind {
 }
 
 /// A declared type.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Type {
     /// `bool`.
     Bool,
@@ -116,11 +116,11 @@ pub enum Type {
 }
 
 /// `input start, stop : bool at %IX0.0 = 1 in 0..5 "text"`.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Hash)]
 pub struct Declaration {
     /// What is declared.
     pub kind: DeclarationKind,
-    /// One or more names.
+    /// One or more names; none where they are missing.
     pub names: Vec<Name>,
     /// The type, when written.
     pub ty: Option<(Type, Span)>,
@@ -132,12 +132,14 @@ pub struct Declaration {
     pub range: Option<(Constant, Constant)>,
     /// Level-1 text.
     pub text: Option<Text>,
+    /// Its type may stand in a part that cannot be read.
+    pub doubtful: bool,
     /// The whole declaration.
     pub span: Span,
 }
 
 /// A constant as written, sign included.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct Constant {
     /// What it is.
     pub kind: ConstantKind,
@@ -146,7 +148,7 @@ pub struct Constant {
 }
 
 /// The kinds of constant.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub enum ConstantKind {
     /// An integer, sign applied; beyond 64 bits it is saturated (out of range of any type).
     Integer(i64),
@@ -156,10 +158,12 @@ pub enum ConstantKind {
     Bool(bool),
     /// The name of a `const`, and whether a minus sign stands before it.
     Name(Name, bool),
+    /// A number or duration that cannot be read, which has been reported.
+    Unreadable,
 }
 
 /// The body of a graph, a template or a plant.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Hash)]
 pub struct Graph {
     /// Its name.
     pub name: Name,
@@ -172,7 +176,7 @@ pub struct Graph {
 }
 
 /// An element of a graph.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Hash)]
 pub enum Element {
     /// A local declaration.
     Declaration(Declaration),
@@ -187,7 +191,7 @@ pub enum Element {
 }
 
 /// `always "text" { .. }`: a stand-alone action.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Hash)]
 pub struct Always {
     /// Level-1 text.
     pub text: Option<Text>,
@@ -198,7 +202,7 @@ pub struct Always {
 }
 
 /// What a step is inside a macro's expansion.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum StepRole {
     /// An ordinary step.
     Plain,
@@ -209,7 +213,7 @@ pub enum StepRole {
 }
 
 /// `initial step 3 "text" encloses G{1} { .. }`.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Hash)]
 pub struct Step {
     /// Active when the graph is initialised.
     pub initial: bool,
@@ -228,7 +232,7 @@ pub struct Step {
 }
 
 /// `macro step M5 "text" { .. }`.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Hash)]
 pub struct Macro {
     /// The identifier.
     pub id: Name,
@@ -241,7 +245,7 @@ pub struct Macro {
 }
 
 /// `transition 7 "text": 3, 4 -> 5 when .. do { .. }`.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Hash)]
 pub struct Transition {
     /// The number as written, with its value. Its text is kept for messages.
     pub number: Name,
@@ -260,7 +264,7 @@ pub struct Transition {
 }
 
 /// A trigger as written.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Hash)]
 pub enum Trigger {
     /// No `when`, or `when =1`.
     AlwaysTrue,
@@ -271,7 +275,7 @@ pub enum Trigger {
 }
 
 /// `{ .. }` with statements.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug, Default, Hash)]
 pub struct Block {
     /// The statements in source order.
     pub statements: Vec<Statement>,
@@ -280,7 +284,7 @@ pub struct Block {
 }
 
 /// A statement with its place.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Hash)]
 pub struct Statement {
     /// What it does.
     pub kind: StatementKind,
@@ -289,7 +293,7 @@ pub struct Statement {
 }
 
 /// The kinds of statement.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Hash)]
 pub enum StatementKind {
     /// `A, B IF c`.
     Momentary {
@@ -328,7 +332,7 @@ pub enum StatementKind {
 }
 
 /// When the statements of an `on` run.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Hash)]
 pub enum Event {
     /// `on activation`.
     Activation,
@@ -339,7 +343,7 @@ pub enum Event {
 }
 
 /// `{1, 3}`: named steps.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Hash)]
 pub struct Set {
     /// The step identifiers.
     pub steps: Vec<Name>,
@@ -348,7 +352,7 @@ pub struct Set {
 }
 
 /// The situation named by a forcing order or compared with `S(G)`.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Hash)]
 pub enum Situation {
     /// `{1, 3}` or `{}`.
     Steps(Set),
@@ -359,7 +363,7 @@ pub enum Situation {
 }
 
 /// `graph G = T { a at %IX0.0; b = c; }`.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Hash)]
 pub struct Instance {
     /// The new graph.
     pub name: Name,
@@ -372,7 +376,7 @@ pub struct Instance {
 }
 
 /// One binding of an instance.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Hash)]
 pub struct Binding {
     /// The interface name.
     pub name: Name,
@@ -383,7 +387,7 @@ pub struct Binding {
 }
 
 /// What an interface name is bound to.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Hash)]
 pub enum BindingTarget {
     /// `at %IX0.0`.
     Address(Name),

@@ -19,6 +19,8 @@ pub enum Target {
     Host,
     /// An image for a board: every input and output of the application has an address or a binding.
     Firmware,
+    /// A drawing: what is only a text (level 1) is accepted, and nothing is made that could run.
+    Drawing,
 }
 
 /// What compiling gives.
@@ -28,7 +30,7 @@ pub struct Compilation {
     pub sources: Sources,
     /// Everything there is to say, by its place: the main file first.
     pub diagnostics: Vec<Diagnostic>,
-    /// The program; none when there is an error.
+    /// The program; none when there is an error, and none of a drawing.
     pub application: Option<Application>,
 }
 
@@ -50,7 +52,7 @@ pub fn compile(
 ) -> Compilation {
     let (sources, model, mut diagnostics) = analyse(path, text, load, target);
     let mut application = None;
-    if !has_errors(&diagnostics) {
+    if !has_errors(&diagnostics) && target != Target::Drawing {
         match lower::lower(&model) {
             Ok(lowered) => application = Some(lowered),
             Err(beyond) => diagnostics.extend(beyond),
@@ -79,21 +81,28 @@ fn analyse(
     diagnostics.extend(checks::errors(&model, &sources, target));
     let settled = !has_errors(&diagnostics);
     diagnostics.extend(checks::warnings(&model, settled));
+    if target == Target::Drawing {
+        // Only now: what a text of level 1 uses is not known, so nothing can be said to be unused.
+        diagnostics.retain(|it| it.rule != Rule::Level1Only);
+    }
     (sources, model, diagnostics)
 }
 
-/// Adds what has been found, but no unknown name that stands in a line which the parser could not read: what is
-/// declared there is not known.
+/// Adds what has been found, but no unknown name that stands, other than where it is used, in a line which the parser
+/// could not read: what is declared there is not known.
 fn take_fresh(sources: &Sources, diagnostics: &mut Vec<Diagnostic>, found: Vec<Diagnostic>) {
+    const UNKNOWN: [Rule; 3] = [Rule::UnknownName, Rule::UnknownGraph, Rule::UnknownStep];
     let lines: BTreeSet<Span> = diagnostics
         .iter()
         .map(|it| line(sources, it.span))
         .collect();
-    let unread: BTreeSet<&str> = lines
-        .iter()
-        .flat_map(|line| words(sources.text(*line)))
+    let unknown = found.iter().filter(|it| UNKNOWN.contains(&it.rule));
+    let used: BTreeSet<Span> = unknown.map(|it| it.span).collect();
+    let words = lines.iter().flat_map(|line| words(sources, *line));
+    let unread: BTreeSet<&str> = words
+        .filter(|word| !used.contains(word))
+        .map(|word| sources.text(word))
         .collect();
-    let unknown = [Rule::UnknownName, Rule::UnknownGraph, Rule::UnknownStep];
     let may_be_declared = |name: &str| {
         let step = name.strip_prefix('X').unwrap_or(name);
         unread.contains(name) || unread.contains(step)
@@ -101,7 +110,7 @@ fn take_fresh(sources: &Sources, diagnostics: &mut Vec<Diagnostic>, found: Vec<D
     diagnostics.extend(
         found
             .into_iter()
-            .filter(|it| !(unknown.contains(&it.rule) && may_be_declared(sources.text(it.span)))),
+            .filter(|it| !(UNKNOWN.contains(&it.rule) && may_be_declared(sources.text(it.span)))),
     );
 }
 
@@ -121,10 +130,23 @@ fn line(sources: &Sources, span: Span) -> Span {
     }
 }
 
-/// The names and numbers in a line.
-fn words(line: &str) -> impl Iterator<Item = &str> {
-    line.split(|c: char| !(c.is_alphanumeric() || c == '_'))
-        .filter(|word| !word.is_empty())
+/// The places of the names and numbers in a line.
+fn words(sources: &Sources, line: Span) -> impl Iterator<Item = Span> {
+    let mut start = line.start;
+    let parts = sources
+        .text(line)
+        .split_inclusive(|c: char| !(c.is_alphanumeric() || c == '_'));
+    parts.filter_map(move |part| {
+        let length = |text: &str| u32::try_from(text.len()).unwrap_or(u32::MAX);
+        let word = part.trim_end_matches(|c: char| !(c.is_alphanumeric() || c == '_'));
+        let span = Span {
+            start,
+            end: start.saturating_add(length(word)),
+            ..line
+        };
+        start = start.saturating_add(length(part));
+        (!word.is_empty()).then_some(span)
+    })
 }
 
 fn has_errors(diagnostics: &[Diagnostic]) -> bool {

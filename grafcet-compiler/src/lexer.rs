@@ -13,8 +13,21 @@ use crate::report::Report;
 use crate::source::{FileId, Span};
 use token::{Token, TokenKind};
 
-/// All tokens of a text, the last of them [`TokenKind::EndOfFile`]. Linear in the size of the text.
-pub(crate) fn tokens(file: FileId, text: &str, report: &mut Report) -> Vec<Token> {
+/// How many bytes of UTF-8 a name, a number, a duration or an address may have. Messages repeat names, so a longer one
+/// would make them long out of all proportion.
+pub const MAX_WORD: usize = 4096;
+
+/// What a text consists of, in source order.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Lexed {
+    /// All tokens, the last of them [`TokenKind::EndOfFile`].
+    pub(crate) tokens: Vec<Token>,
+    /// All comments.
+    pub(crate) comments: Vec<Span>,
+}
+
+/// All tokens and comments of a text. Linear in the size of the text.
+pub(crate) fn lex(file: FileId, text: &str, report: &mut Report) -> Lexed {
     scan::Scanner::new(file, text, report).run()
 }
 

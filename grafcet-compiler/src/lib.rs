@@ -11,6 +11,7 @@ mod checks;
 mod compile;
 pub mod diagnostic;
 pub mod emit;
+pub mod format;
 mod lexer;
 pub mod literals;
 mod lower;

@@ -6,6 +6,7 @@
 
 mod action;
 mod address;
+mod bound;
 mod causality;
 mod claim;
 mod constant;
@@ -21,6 +22,7 @@ mod options;
 mod resolver;
 mod statement;
 mod structure;
+mod suggest;
 mod target;
 mod timing;
 
@@ -29,12 +31,15 @@ use std::ops::{Index, IndexMut, Range};
 
 pub use crate::ast::{DeclarationKind, StepRole, Type};
 pub use address::{Address, Area, Size};
+pub use bound::{MAX_BOUND_DEPTH, MAX_BOUND_SIZE};
 pub(crate) use causality::Causality;
 pub use claim::{Claimed, Property, Test, TestStep, TestStepKind};
 pub(crate) use expression::combine;
 pub use expression::{Edge, Expression, ExpressionKind, Inside, System};
 pub(crate) use hierarchy::Hierarchy;
+pub use instance::MAX_REPEATED;
 pub(crate) use library::load;
+pub use operator::MAX_COMPARED;
 pub(crate) use resolver::resolve;
 pub use statement::{Action, Encloses, Momentary, OnEvent, Order, Situation, Stored, Target};
 

@@ -17,6 +17,7 @@ mod timers;
 use crate::ast::File;
 use crate::diagnostic::Diagnostic;
 use crate::lexer;
+pub use crate::lexer::MAX_WORD;
 pub use crate::report::MAX_SYNTAX_ERRORS;
 use crate::report::Report;
 use crate::source::FileId;
@@ -34,6 +35,6 @@ pub const MAX_EXPRESSION_DEPTH: u32 = 256;
 /// Time and memory are linear in the size of the text, the stack is bounded by [`MAX_NESTING`].
 pub fn parse(file: FileId, text: &str, diagnostics: &mut Vec<Diagnostic>) -> File {
     let mut report = Report::new(diagnostics);
-    let tokens = lexer::tokens(file, text, &mut report);
+    let tokens = lexer::lex(file, text, &mut report).tokens;
     Parser::new(file, text, tokens, report).file()
 }

@@ -3,6 +3,8 @@
 //! The drawing is `annotate-snippets`, rustc's own; the excerpts it gets are kept small, so that many diagnostics in
 //! a large file, or on a long line, cost time in proportion to their number.
 
+use std::ops::Range;
+
 use annotate_snippets::renderer::DecorStyle;
 use annotate_snippets::{Annotation, AnnotationKind, Group, Origin, Renderer, Snippet};
 use serde::Serialize;
@@ -32,7 +34,7 @@ pub fn render<R: NamedRule>(
     } else {
         Renderer::plain()
     };
-    let renderer = renderer.decor_style(DecorStyle::Ascii);
+    let renderer = renderer.decor_style(DecorStyle::Ascii).term_width(WIDTH);
     let mut pages = Pages::of(sources);
     let mut text = String::new();
     for diagnostic in sorted(diagnostics) {
@@ -172,8 +174,14 @@ fn report<'a, R: NamedRule>(
     groups
 }
 
-/// An excerpt is at most so many bytes long.
+/// An excerpt of whole lines is at most so many bytes long.
 const LONGEST_EXCERPT: usize = 4096;
+
+/// Of a line of more bytes than this a part is shown.
+const LONGEST_LINE: usize = 200;
+
+/// Columns of a drawing: room for a line and its number.
+const WIDTH: usize = LONGEST_LINE + 40;
 
 /// The places of a diagnostic, those that are near each other together, the main one first.
 fn clusters<'a, R: NamedRule>(
@@ -204,12 +212,7 @@ fn clusters<'a, R: NamedRule>(
         };
         let near = clusters.iter_mut().find(|cluster| {
             let marks = || cluster.iter().chain([&mark]);
-            let first = marks().map(|mark| mark.start).min().unwrap_or(0);
-            let last = marks().map(|mark| mark.end).max().unwrap_or(0);
-            let (first, _) = page.lines.bounds(page.lines.line(first));
-            let (_, last) = page.lines.bounds(page.lines.line(last));
-            cluster.iter().all(|other| other.span.file == span.file)
-                && last - first <= LONGEST_EXCERPT
+            cluster.iter().all(|other| other.span.file == span.file) && go_together(page, marks)
         });
         match near {
             Some(cluster) => cluster.push(mark),
@@ -217,6 +220,35 @@ fn clusters<'a, R: NamedRule>(
         }
     }
     clusters
+}
+
+/// Whether one excerpt shows several places: whole lines that are few, or a part of one line.
+fn go_together<'m, 'a: 'm, I>(page: &Page<'a>, marks: impl Fn() -> I) -> bool
+where
+    I: Iterator<Item = &'m Mark<'a>>,
+{
+    let (first, last) = ends(marks());
+    let (lines, whole) = lines_about(page, first, last);
+    if whole {
+        lines.len() <= LONGEST_EXCERPT
+    } else {
+        page.lines.line(first) == page.lines.line(last) && last - first <= LONGEST_LINE / 2
+    }
+}
+
+/// Where the first mark begins and the last ends.
+fn ends<'m, 'a: 'm>(marks: impl Iterator<Item = &'m Mark<'a>>) -> (usize, usize) {
+    let places = marks.map(|mark| (mark.start, mark.end));
+    let widest = places.reduce(|(first, last), (start, end)| (first.min(start), last.max(end)));
+    widest.unwrap_or_default()
+}
+
+/// The lines from one place to another, and whether neither the first nor the last of them is too long to be shown.
+fn lines_about(page: &Page, first: usize, last: usize) -> (Range<usize>, bool) {
+    let bounds = |offset| page.lines.bounds(page.lines.line(offset));
+    let ((from, first_end), (last_start, to)) = (bounds(first), bounds(last));
+    let whole = first_end - from <= LONGEST_LINE && to - last_start <= LONGEST_LINE;
+    (from..to, whole)
 }
 
 /// What is shown of a file.
@@ -227,37 +259,38 @@ enum Excerpt<'a> {
     Part(Snippet<'a, Annotation<'a>>),
 }
 
-/// The lines from the first mark to the last; of a line that is too long what is about its mark.
+/// The lines from the first mark to the last; of a line that is too long what is about its marks.
 fn excerpt<'a>(page: &Page<'a>, marks: &[Mark<'a>]) -> Excerpt<'a> {
-    let first = marks.iter().map(|mark| mark.start).min().unwrap_or(0);
-    let last = marks.iter().map(|mark| mark.end).max().unwrap_or(0);
+    const CUT: &str = "...";
+    let (first, last) = ends(marks.iter());
+    let (lines, whole) = lines_about(page, first, last);
     let line = page.lines.line(first);
-    let (mut from, _) = page.lines.bounds(line);
-    let (_, mut to) = page.lines.bounds(page.lines.line(last));
-    let whole = to - from <= LONGEST_EXCERPT;
-    if !whole {
-        from = page
-            .text
-            .floor_char_boundary(first.saturating_sub(LONGEST_EXCERPT / 4).max(from));
-        to = page
-            .text
-            .floor_char_boundary(to.min(from + LONGEST_EXCERPT));
-    }
-    let annotations = marks.iter().map(|mark| {
-        let kind = if mark.primary {
-            AnnotationKind::Primary
-        } else {
-            AnnotationKind::Context
-        };
-        let (start, end) = (mark.start.min(to) - from, mark.end.min(to) - from);
-        kind.span(start..end).label(mark.label)
-    });
-    let snippet = Snippet::source(page.text.get(from..to).unwrap_or(""))
-        .line_start(line)
-        .annotations(annotations);
+    let shown = |range: Range<usize>| page.text.get(range).unwrap_or("");
+    // Marks on what is shown from one byte of the file to another, with something in front of it.
+    let annotations = |from: usize, to: usize, before: usize| {
+        let place = move |at: usize| at.clamp(from, to) - from + before;
+        marks.iter().map(move |mark| {
+            let kind = if mark.primary {
+                AnnotationKind::Primary
+            } else {
+                AnnotationKind::Context
+            };
+            let span = place(mark.start)..place(mark.end);
+            kind.span(span).label(mark.label)
+        })
+    };
     if whole {
-        Excerpt::Lines(snippet)
-    } else {
-        Excerpt::Part(snippet)
+        let annotations = annotations(lines.start, lines.end, 0);
+        let snippet = Snippet::source(shown(lines)).line_start(line);
+        return Excerpt::Lines(snippet.annotations(annotations));
     }
+    let (start, end) = page.lines.bounds(line);
+    let from = first.saturating_sub(LONGEST_LINE / 4).max(start);
+    let from = page.text.floor_char_boundary(from);
+    let to = page.text.floor_char_boundary(end.min(from + LONGEST_LINE));
+    let before = if from > start { CUT } else { "" };
+    let behind = if to < end { CUT } else { "" };
+    let text = format!("{before}{}{behind}", shown(from..to));
+    let snippet = Snippet::source(text).line_start(line);
+    Excerpt::Part(snippet.annotations(annotations(from, to, before.len())))
 }

@@ -3,8 +3,8 @@
 
 #![allow(clippy::unwrap_used, reason = "a failed expectation is a failed test")]
 
-use std::fs;
-use std::path::{Path, PathBuf};
+mod corpus;
+
 use std::sync::LazyLock;
 
 use grafcet_compiler::render::{Style, render};
@@ -21,56 +21,10 @@ enum Mutation {
     Replace(Index, Index),
 }
 
-fn files(directory: &Path, extension: &str, into: &mut Vec<PathBuf>) {
-    let mut paths: Vec<PathBuf> = fs::read_dir(directory)
-        .unwrap()
-        .map(|entry| entry.unwrap().path())
-        .collect();
-    paths.sort();
-    for path in paths {
-        if path.is_dir() {
-            files(&path, extension, into);
-        } else if path.extension().is_some_and(|it| it == extension) {
-            into.push(path);
-        }
-    }
-}
-
-/// The programs of the repository, right and wrong ones.
-static PROGRAMS: LazyLock<Vec<String>> = LazyLock::new(|| {
-    let here = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let mut paths = Vec::new();
-    files(&here.join("../graphs"), "grafcet", &mut paths);
-    files(&here.join("tests/rules"), "txt", &mut paths);
-    let mut programs = Vec::new();
-    for path in paths {
-        let text = fs::read_to_string(path).unwrap();
-        programs.extend(text.split("== ").map(str::to_owned));
-    }
-    programs.retain(|program| program.len() > 20);
-    programs
-});
-
-/// Words, signs and the white space between them.
-fn pieces(text: &str) -> Vec<&str> {
-    let mut pieces = Vec::new();
-    let mut rest = text;
-    while let Some(first) = rest.chars().next() {
-        let word = |c: char| c.is_alphanumeric() || c == '_';
-        let end = if word(first) {
-            rest.find(|c| !word(c)).unwrap_or(rest.len())
-        } else {
-            first.len_utf8()
-        };
-        let (piece, behind) = rest.split_at(end);
-        pieces.push(piece);
-        rest = behind;
-    }
-    pieces
-}
+static PROGRAMS: LazyLock<Vec<String>> = LazyLock::new(corpus::programs);
 
 fn mutated(program: &str, mutations: &[Mutation]) -> String {
-    let mut pieces = pieces(program);
+    let mut pieces = corpus::pieces(program);
     for mutation in mutations {
         let length = pieces.len();
         if length < 2 {

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 
 use grafcet_compiler::{Target, compile};
 
-/// Every program under a directory, in a fixed order.
+/// Every program under a directory that runs, in a fixed order: what is specified by texts only does not.
 fn programs(directory: &Path) -> Vec<PathBuf> {
     let mut paths: Vec<_> = fs::read_dir(directory)
         .unwrap()
@@ -17,7 +17,10 @@ fn programs(directory: &Path) -> Vec<PathBuf> {
     let (directories, files): (Vec<_>, Vec<_>) = paths.into_iter().partition(|path| path.is_dir());
     let mut found: Vec<_> = files
         .into_iter()
-        .filter(|path| path.extension().is_some_and(|it| it == "grafcet"))
+        .filter(|path| {
+            let name = path.to_string_lossy();
+            name.ends_with(".grafcet") && !name.ends_with(".level1.grafcet")
+        })
         .collect();
     found.extend(directories.iter().flat_map(|directory| programs(directory)));
     found

@@ -1,11 +1,12 @@
 //! The subcommands, and what they have in common.
 
 pub mod check;
+pub mod fmt;
 pub mod symbols;
 pub mod test;
 pub mod trace;
 
-use std::fmt;
+use std::fmt::{Display, Formatter};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
@@ -51,6 +52,8 @@ pub enum CommandError {
     },
     /// The arguments ask for something that is not there.
     Usage(String),
+    /// The layout of a file would not say what the file says: a defect of the formatter.
+    Layout(PathBuf),
     /// Standard output does not take any more.
     Output(io::Error),
 }
@@ -69,8 +72,8 @@ impl From<io::Error> for CommandError {
     }
 }
 
-impl fmt::Display for CommandError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+impl Display for CommandError {
+    fn fmt(&self, f: &mut Formatter<'_>) -> std::fmt::Result {
         match self {
             CommandError::File { path, error } => {
                 write!(f, "{}: {}", path.display(), reason(error))
@@ -79,6 +82,11 @@ impl fmt::Display for CommandError {
                 write!(f, "{}:{}: {error}", path.display(), error.line)
             }
             CommandError::Usage(text) => f.write_str(text),
+            CommandError::Layout(path) => write!(
+                f,
+                "{}: left as it is: in its new layout it would be read otherwise, please report this",
+                path.display()
+            ),
             CommandError::Output(error) => write!(f, "standard output: {}", reason(error)),
         }
     }
@@ -102,13 +110,13 @@ pub fn complain(error: &CommandError) {
 }
 
 /// Compiles a file.
-pub fn compile(path: &Path) -> Result<Compilation, CommandError> {
-    grafcet::source::compile(path, Target::Host).map_err(CommandError::file(path))
+pub fn compile(path: &Path, target: Target) -> Result<Compilation, CommandError> {
+    grafcet::source::compile(path, target).map_err(CommandError::file(path))
 }
 
 /// Compiles a file; when it is refused, the errors are said on standard error and there is no application.
 pub fn accepted(path: &Path) -> Result<Option<(Sources, Application)>, CommandError> {
-    let compilation = compile(path)?;
+    let compilation = compile(path, Target::Host)?;
     if let Some(application) = compilation.application {
         return Ok(Some((compilation.sources, application)));
     }

@@ -1,4 +1,4 @@
-//! The host tool: checks, runs, traces and tests GRAFCET programs.
+//! The host tool: checks, lays out, runs, traces and tests GRAFCET programs.
 //!
 //! Exit codes: 0 all is well, 1 a program is refused or a test failed, 2 the command line or a file is wrong.
 
@@ -11,7 +11,7 @@ use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
 
-use commands::{CommandError, Verdict, check, symbols, test, trace};
+use commands::{CommandError, Verdict, check, fmt, symbols, test, trace};
 
 /// Checks, runs and tests GRAFCET programs (IEC 60848) written as text.
 #[derive(Parser)]
@@ -25,6 +25,7 @@ const EXAMPLES: &str = "\
 Examples:
   grafcet check graphs/*.grafcet
   grafcet test graphs/line_switcher.grafcet
+  grafcet fmt --check graphs/*.grafcet
   grafcet trace press.grafcet --stimulus press.csv --with Press --until 10000
 
 Exit codes: 0 all is well, 1 a program is refused or a test failed, 2 wrong usage or a file
@@ -33,6 +34,7 @@ that cannot be used.";
 #[derive(Subcommand)]
 enum Command {
     Check(check::Arguments),
+    Fmt(fmt::Arguments),
     Trace(trace::Arguments),
     Test(test::Arguments),
     Symbols(symbols::Arguments),
@@ -42,6 +44,7 @@ fn main() -> ExitCode {
     let arguments = Arguments::parse();
     let verdict = match arguments.command {
         Command::Check(arguments) => check::run(&arguments),
+        Command::Fmt(arguments) => fmt::run(&arguments),
         Command::Trace(arguments) => trace::run(&arguments),
         Command::Test(arguments) => test::run(&arguments),
         Command::Symbols(arguments) => symbols::run(&arguments),

@@ -5,7 +5,9 @@
 
 use std::collections::{BTreeMap, VecDeque};
 
-use grafcet_compiler::application::{Application, Claim, Place, Test, TestStep, TestStepKind};
+use grafcet_compiler::application::{
+    Application, Claim, GraphSymbol, Place, Test, TestStep, TestStepKind,
+};
 use grafcet_compiler::source::Span;
 
 use crate::images::situation;
@@ -13,11 +15,13 @@ use crate::machine::{Bench, Machine};
 use crate::simulation::Simulation;
 use crate::table::Table;
 use grafcet_core::images::Images;
+use grafcet_core::program::Slot;
 
 /// How many scans before a failure are shown.
 const SHOWN_SCANS: usize = 8;
 
-/// Of more graphs than this, only those are shown whose situation changed in the scans shown.
+/// Of more graphs than this, only those are shown whose situation changed in the scans shown, or whose steps the test
+/// asks for.
 const SHOWN_GRAPHS: usize = 3;
 
 /// Why a test failed.
@@ -53,14 +57,14 @@ pub enum Claimed {
     },
 }
 
-/// Runs a test of an application; `each_scan` sees the controller's time stamp and images after every scan.
+/// Runs a test of an application; `each_scan` sees the simulation after every scan.
 ///
 /// # Errors
 /// The first claim that does not hold.
 pub fn run(
     application: &Application,
     test: &Test,
-    each_scan: impl FnMut(u64, Images<'_>),
+    each_scan: impl FnMut(&Simulation<'_>),
 ) -> Result<(), Box<Failure>> {
     let bench = Bench::new();
     let mut run = Run {
@@ -138,7 +142,7 @@ struct Past {
     values: Vec<i32>,
 }
 
-impl<'a, F: FnMut(u64, Images<'_>)> Run<'a, '_, F> {
+impl<'a, F: FnMut(&Simulation<'_>)> Run<'a, '_, F> {
     fn step(&mut self, step: &'a TestStep) -> Result<(), Box<Failure>> {
         self.during = step.span;
         match &step.kind {
@@ -237,7 +241,7 @@ impl<'a, F: FnMut(u64, Images<'_>)> Run<'a, '_, F> {
         }
         self.observer.scan(self.simulation.elapsed_ms());
         self.remember();
-        (self.each_scan)(self.simulation.time_ms(), self.simulation.images());
+        (self.each_scan)(&self.simulation);
         for index in 0..self.standing.len() {
             if let Some(standing) = self.standing.get(index).copied() {
                 self.check(standing.claimed, standing.claim, standing.span)?;
@@ -285,6 +289,15 @@ impl<'a, F: FnMut(u64, Images<'_>)> Run<'a, '_, F> {
         });
     }
 
+    /// Whether a claim of the test reads a step bit or the situation of a graph.
+    fn asks_for(&self, graph: &GraphSymbol) -> bool {
+        let mut reads = self.test.observer.reads.iter();
+        reads.any(|(place, _)| {
+            let mut steps = graph.steps.iter();
+            steps.any(|step| *place == Place::Controller(Slot::Bit(step.bit)))
+        })
+    }
+
     fn last_scans(&self, claim: &Claim) -> Table {
         let mut table = Table::default();
         let times = self.past.iter().map(|past| past.time_ms.to_string());
@@ -303,7 +316,7 @@ impl<'a, F: FnMut(u64, Images<'_>)> Run<'a, '_, F> {
             let moved = situations
                 .windows(2)
                 .any(|pair| pair.first() != pair.last());
-            if moved || !many {
+            if moved || !many || self.asks_for(graph) {
                 table.column(&graph.name, situations);
             }
         }

@@ -1,4 +1,5 @@
-//! Every test of every `.grafcet` file under `graphs/`, each under its own name.
+//! Every test of every `.grafcet` file under `graphs/`, each under its own name; and each file is laid out as
+//! `grafcet fmt` does it.
 
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -6,7 +7,9 @@ use std::sync::Arc;
 use std::{fs, io};
 
 use grafcet::testing;
+use grafcet_compiler::format::{Unformatted, format};
 use grafcet_compiler::render::{Style, render};
+use grafcet_compiler::source::FileId;
 use grafcet_compiler::{Compilation, Target};
 use libtest_mimic::{Arguments, Failed, Trial};
 
@@ -46,18 +49,27 @@ fn programs(directory: &Path) -> io::Result<Vec<PathBuf>> {
     Ok(programs)
 }
 
-/// One trial that the program is accepted without a warning, and one for each of its tests.
+/// One trial that the program is accepted without a warning, one of its layout, and one for each of its tests.
 fn trials(root: &Path, path: &Path) -> io::Result<Vec<Trial>> {
     let name = path
         .strip_prefix(root)
         .unwrap_or(path)
         .display()
         .to_string();
-    let compilation = Arc::new(grafcet::source::compile(path, Target::Host)?);
+    // What is specified by texts only, for people, is drawn and does not run.
+    let target = match name.ends_with(".level1.grafcet") {
+        true => Target::Drawing,
+        false => Target::Host,
+    };
+    let compilation = Arc::new(grafcet::source::compile(path, target)?);
     let checked = Arc::clone(&compilation);
     let mut trials = vec![Trial::test(format!("{name}: accepted"), move || {
-        accepted(&checked)
+        accepted(&checked, target)
     })];
+    let text = fs::read_to_string(path)?;
+    trials.push(Trial::test(format!("{name}: laid out"), move || {
+        laid_out(&text)
+    }));
     let tests = compilation.application.iter().flat_map(|a| &a.tests);
     for (index, test) in tests.enumerate() {
         let compilation = Arc::clone(&compilation);
@@ -68,8 +80,9 @@ fn trials(root: &Path, path: &Path) -> io::Result<Vec<Trial>> {
     Ok(trials)
 }
 
-fn accepted(compilation: &Compilation) -> Result<(), Failed> {
-    if compilation.diagnostics.is_empty() && compilation.application.is_some() {
+fn accepted(compilation: &Compilation, target: Target) -> Result<(), Failed> {
+    let runs = compilation.application.is_some();
+    if compilation.diagnostics.is_empty() && runs == (target != Target::Drawing) {
         return Ok(());
     }
     Err(render(
@@ -80,10 +93,19 @@ fn accepted(compilation: &Compilation) -> Result<(), Failed> {
     .into())
 }
 
+fn laid_out(text: &str) -> Result<(), Failed> {
+    match format(FileId(0), text) {
+        Ok(layout) if layout == text => Ok(()),
+        Ok(_) => Err("lay it out with `grafcet fmt`".into()),
+        Err(Unformatted::Wrong(_)) => Err("it does not fit the grammar".into()),
+        Err(Unformatted::Otherwise) => Err("laid out it would be read otherwise".into()),
+    }
+}
+
 fn run(compilation: &Compilation, index: usize) -> Result<(), Failed> {
     let application = compilation.application.as_ref().ok_or("refused")?;
     let test = application.tests.get(index).ok_or("no such test")?;
-    testing::run(application, test, |_, _| {}).map_err(|failure| {
+    testing::run(application, test, |_| {}).map_err(|failure| {
         let place = render(
             &[failure.diagnostic()],
             &compilation.sources,

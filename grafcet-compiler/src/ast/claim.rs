@@ -4,7 +4,7 @@ use super::{Constant, Expression, Name, Ref, Text};
 use crate::source::Span;
 
 /// `property "text": never expression`.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Hash)]
 pub struct Property {
     /// What it says.
     pub text: Text,
@@ -15,7 +15,7 @@ pub struct Property {
 }
 
 /// What a property asks for.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Hash)]
 pub enum PropertyKind {
     /// `never e`.
     Never(Expression),
@@ -37,7 +37,7 @@ pub enum PropertyKind {
 }
 
 /// `test "text" with A, B { .. }`.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Hash)]
 pub struct Test {
     /// What it claims.
     pub text: Text,
@@ -50,7 +50,7 @@ pub struct Test {
 }
 
 /// A step of a test with its place.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Hash)]
 pub struct TestStep {
     /// What it does.
     pub kind: TestStepKind,
@@ -59,7 +59,7 @@ pub struct TestStep {
 }
 
 /// What a step of a test does.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Hash)]
 pub enum TestStepKind {
     /// `set a, b = 3`; no constant means True.
     Set(Vec<(Ref, Option<Constant>)>),

@@ -4,7 +4,7 @@ use super::{Name, Ref, Situation};
 use crate::source::Span;
 
 /// An expression with its place.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Hash)]
 pub struct Expression {
     /// What it is.
     pub kind: ExpressionKind,
@@ -13,7 +13,7 @@ pub struct Expression {
 }
 
 /// The kinds of expression.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Hash)]
 pub enum ExpressionKind {
     /// `TRUE`, `FALSE` in any case.
     Bool(bool),
@@ -21,6 +21,8 @@ pub enum ExpressionKind {
     Integer(i64),
     /// A duration in milliseconds, saturated to 64 bits.
     Duration(i64),
+    /// A number or duration that cannot be read, which has been reported.
+    Unreadable,
     /// A variable, a step bit or a `System:` name.
     Ref(Ref),
     /// `S(Graph) = {..}`, or `<>`.
@@ -69,7 +71,7 @@ pub enum ExpressionKind {
 }
 
 /// Operators with one operand.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Unary {
     /// `NOT`.
     Not,
@@ -86,7 +88,7 @@ pub enum Unary {
 ///
 /// Operators of one strength are joined from the left, `1s/a/2s` as `(1s/a)/2s`. A chain of `AND`, of `OR` or of `XOR`
 /// is a balanced tree in source order, so that its depth grows with the logarithm of its length.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Binary {
     /// `AND`.
     And,

@@ -14,6 +14,10 @@ pub(super) fn check_addresses(model: &Model, target: Target, diagnostics: &mut V
         match variable.address {
             Some(address) => {
                 if let Some(first) = taken.get(&address) {
+                    if model[*first].at == variable.at && model[*first].owner == variable.owner {
+                        // One declaration with several names, which has been refused.
+                        continue;
+                    }
                     diagnostics.push(shared(model, address, *first, VariableId(index)));
                 } else {
                     taken.insert(address, VariableId(index));

@@ -1,10 +1,10 @@
 //! Steps that nothing can activate, as far as structure and constants tell.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::constants::truth;
 use crate::diagnostic::{Diagnostic, Rule};
-use crate::model::{Encloses, GraphId, Model, Order, StepId, TransitionId, Trigger};
+use crate::model::{Encloses, GraphId, Model, Order, Situation, StepId, TransitionId, Trigger};
 
 /// Warns of steps that no evolution, forcing or enclosing can activate.
 pub(super) fn advise(model: &Model, diagnostics: &mut Vec<Diagnostic>) {
@@ -31,6 +31,8 @@ struct Reach<'m> {
     missing: Vec<usize>,
     /// Enclosed graphs, and whether an enclosing step has been reached.
     enclosed: BTreeMap<GraphId, bool>,
+    /// Graphs whose initial steps have been reached.
+    initialised: BTreeSet<GraphId>,
 }
 
 impl<'m> Reach<'m> {
@@ -47,6 +49,7 @@ impl<'m> Reach<'m> {
                 .map(|it| it.entrance.len())
                 .collect(),
             enclosed: enclosed.map(|it| (it.graph, false)).collect(),
+            initialised: BTreeSet::new(),
         };
         for (index, transition) in model.transitions.iter().enumerate() {
             for step in &transition.entrance {
@@ -68,7 +71,7 @@ impl<'m> Reach<'m> {
         let model = self.model;
         for graph in (0..model.graphs.len()).map(GraphId) {
             if !self.enclosed.contains_key(&graph) {
-                self.reach_all(model.initial_steps(graph));
+                self.reach_initial(graph);
                 self.fire_sources(graph);
             }
             for order in model[graph].always.iter().flat_map(|action| &action.orders) {
@@ -96,7 +99,7 @@ impl<'m> Reach<'m> {
     fn enclose(&mut self, step: StepId, encloses: &Encloses) {
         self.reach_all(encloses.steps.iter().copied());
         if self.model[step].initial {
-            self.reach_all(self.model.initial_steps(encloses.graph));
+            self.reach_initial(encloses.graph);
         }
         if self.enclosed.insert(encloses.graph, true) == Some(false) {
             self.fire_sources(encloses.graph);
@@ -109,9 +112,18 @@ impl<'m> Reach<'m> {
             .as_ref()
             .and_then(|it| it.constant(self.model))
             == Some(0);
-        if !never {
-            let steps = self.model.steps_of(order.graph, &order.situation);
-            self.reach_all(steps.unwrap_or_default().into_iter());
+        match &order.situation {
+            _ if never => {}
+            Situation::Steps(steps) => self.reach_all(steps.iter().copied()),
+            Situation::Initial => self.reach_initial(order.graph),
+            Situation::Current => {}
+        }
+    }
+
+    /// Only the first order or enclosing has to look at all initial steps.
+    fn reach_initial(&mut self, graph: GraphId) {
+        if self.initialised.insert(graph) {
+            self.reach_all(self.model.initial_steps(graph));
         }
     }
 

@@ -6,7 +6,7 @@ use crate::report::Report;
 use crate::source::{FileId, Span};
 
 use super::token::{Token, TokenKind};
-use super::{begins_name, continues_name, span};
+use super::{Lexed, MAX_WORD, begins_name, continues_name, span};
 
 /// A blank within a line.
 fn is_blank(c: char) -> bool {
@@ -19,6 +19,7 @@ pub(super) struct Scanner<'a, 'r, 'd> {
     text: &'a str,
     at: usize,
     tokens: Vec<Token>,
+    comments: Vec<Span>,
     report: &'r mut Report<'d>,
 }
 
@@ -34,12 +35,13 @@ impl<'a, 'r, 'd> Scanner<'a, 'r, 'd> {
                 0
             },
             tokens: Vec::new(),
+            comments: Vec::new(),
             report,
         }
     }
 
-    /// Reads all tokens.
-    pub(super) fn run(mut self) -> Vec<Token> {
+    /// Reads all tokens and comments.
+    pub(super) fn run(mut self) -> Lexed {
         let mut newline = true;
         while let Some(c) = self.peek() {
             let start = self.at;
@@ -50,9 +52,11 @@ impl<'a, 'r, 'd> Scanner<'a, 'r, 'd> {
                 self.at += c.len_utf8();
             } else if self.rest().starts_with("//") {
                 self.take_while(|c| c != '\n');
+                self.comments.push(self.span_from(start));
             } else if self.rest().starts_with("(*") || self.rest().starts_with("/*") {
                 // A comment that goes over a line end is a line end too.
                 newline |= self.block_comment();
+                self.comments.push(self.span_from(start));
             } else {
                 let kind = self.token(c);
                 self.push(kind, start, newline);
@@ -61,11 +65,14 @@ impl<'a, 'r, 'd> Scanner<'a, 'r, 'd> {
         }
         let end = self.at;
         self.push(TokenKind::EndOfFile, end, true);
-        self.tokens
+        Lexed {
+            tokens: self.tokens,
+            comments: self.comments,
+        }
     }
 
     fn push(&mut self, kind: TokenKind, start: usize, newline: bool) {
-        let place = self.span_from(start);
+        let place = self.limited(kind, start);
         if let Some(last) = self.tokens.last_mut()
             && (last.kind, kind) == (TokenKind::Unknown, TokenKind::Unknown)
         {
@@ -86,6 +93,22 @@ impl<'a, 'r, 'd> Scanner<'a, 'r, 'd> {
             newline,
             breaks: newline && !goes_on,
         });
+    }
+
+    /// Where a token stands. Of a word that is too long, which is reported, what is within the limit.
+    fn limited(&mut self, kind: TokenKind, start: usize) -> Span {
+        use TokenKind::{Address, Duration, Name, Number};
+        let length = self.at - start;
+        if length <= MAX_WORD || !matches!(kind, Name | Number | Duration | Address) {
+            return self.span_from(start);
+        }
+        let end = self.text.floor_char_boundary(start + MAX_WORD);
+        let place = span(self.file, start, end);
+        let message =
+            format!("a name or a number is at most {MAX_WORD} bytes long; this one has {length}");
+        self.report
+            .push(Diagnostic::new(Rule::Syntax, place, message));
+        place
     }
 
     fn rest(&self) -> &'a str {

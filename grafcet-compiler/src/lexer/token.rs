@@ -252,6 +252,20 @@ impl Keyword {
                 | Keyword::Test
         )
     }
+
+    /// Begins an element that stands in a graph, never in a file.
+    pub(crate) fn begins_graph_part_only(self) -> bool {
+        matches!(
+            self,
+            Keyword::Always
+                | Keyword::Initial
+                | Keyword::Step
+                | Keyword::Macro
+                | Keyword::Entry
+                | Keyword::Exit
+                | Keyword::Transition
+        )
+    }
 }
 
 /// The word operators, which are reserved in any case, and `TRUE` and `FALSE`.

@@ -190,6 +190,18 @@ impl Lowering<'_> {
 
     /// Index of the first word of a situation of a graph.
     fn situation_row(&mut self, graph: GraphId, situation: &Situation) -> u16 {
+        if *situation != Situation::Initial {
+            return self.new_situation_row(graph, situation);
+        }
+        if let Some(row) = self.rows.initial_situations.get(&graph) {
+            return *row;
+        }
+        let row = self.new_situation_row(graph, situation);
+        self.rows.initial_situations.insert(graph, row);
+        row
+    }
+
+    fn new_situation_row(&mut self, graph: GraphId, situation: &Situation) -> u16 {
         let active = self.model.steps_of(graph, situation).unwrap_or_default();
         let steps = self.model[graph].steps.clone();
         let mut words = vec![0_u32; steps.len().div_ceil(32)];

@@ -133,6 +133,10 @@ impl Scene<'_> {
     }
 
     fn plant(&self, graph: GraphId) -> Option<usize> {
-        self.plants.iter().position(|plant| plant.graph == graph)
+        // Plants are lowered in the order of the model.
+        let found = self
+            .plants
+            .binary_search_by_key(&graph, |plant| plant.graph);
+        found.ok()
     }
 }

@@ -64,6 +64,8 @@ pub(super) struct Rows {
     /// Rows of what encloses each graph.
     pub enclosing_runs: Vec<Run>,
     known_situations: BTreeMap<Vec<u32>, u16>,
+    /// Those of the graphs' initial steps.
+    pub initial_situations: BTreeMap<GraphId, u16>,
 }
 
 impl Rows {

@@ -1,5 +1,7 @@
 //! Tests and properties.
 
+use std::collections::BTreeSet;
+
 use super::names::{Found, View};
 use super::resolver::Resolver;
 use super::{DeclarationKind, Expression, GraphId, Type, VariableId};
@@ -132,10 +134,10 @@ impl Resolver<'_> {
 
     fn take_test(&mut self, test: &ast::Test) {
         let (mut plants, mut whole) = (Vec::new(), true);
+        let mut seen = BTreeSet::new();
         for name in &test.plants {
             match self.plant(name) {
-                Some(plant) if !plants.contains(&plant) => plants.push(plant),
-                Some(_) => {}
+                Some(plant) => plants.extend(seen.insert(plant).then_some(plant)),
                 None => whole = false,
             }
         }
@@ -166,14 +168,13 @@ impl Resolver<'_> {
         }
         let message = match found {
             Some(_) => format!("`{}` is a graph of the application, not a plant", name.text),
+            None if self.names.nameless_graph => return None,
             None => format!("there is no plant `{}`", name.text),
         };
-        let plants: Vec<String> = self
-            .model
-            .plants()
-            .map(|id| self.model[id].name.clone())
-            .collect();
-        let help = self.suggest_or_list(&name.text, "", |_| plants);
+        let help = self.suggest_or_list(&name.text, "", |resolver| {
+            let plants = resolver.model.plants();
+            plants.map(|id| resolver.model[id].name.clone()).collect()
+        });
         self.report_with_help(
             Diagnostic::new(Rule::UnknownGraph, name.span, message),
             help,
@@ -299,7 +300,7 @@ impl Resolver<'_> {
     /// What a test may set: inputs, parameters, and what its plants declare.
     fn settable(&mut self, name: &ast::Ref, view: View) -> Option<VariableId> {
         let span = name.span;
-        let (rule, what) = match self.find(name, view)? {
+        let (rule, what) = match self.find_read(name, view)? {
             Found::Variable(id) => {
                 let variable = &self.model[id];
                 let of_plant = variable.owner.is_some_and(|owner| self.model[owner].plant);

@@ -36,6 +36,7 @@ impl Resolver<'_> {
         match (&constant.kind, ty) {
             (ConstantKind::Integer(value), Type::Int) => self.fits(*value, ty, span),
             (ConstantKind::Duration(value), Type::Time) => self.fits(*value, ty, span),
+            (ConstantKind::Unreadable, _) => None,
             (ConstantKind::Bool(value), Type::Bool) => Some(i32::from(*value)),
             (ConstantKind::Name(name, negative), _) => {
                 let value = self.named_constant(name, ty, view)?;
@@ -56,7 +57,9 @@ impl Resolver<'_> {
                 let found = match kind {
                     ConstantKind::Integer(_) => Type::Int,
                     ConstantKind::Duration(_) => Type::Time,
-                    ConstantKind::Bool(_) | ConstantKind::Name(..) => Type::Bool,
+                    ConstantKind::Bool(_) | ConstantKind::Name(..) | ConstantKind::Unreadable => {
+                        Type::Bool
+                    }
                 };
                 let diagnostic = Diagnostic::new(
                     Rule::TypeMismatch,
@@ -87,7 +90,7 @@ impl Resolver<'_> {
             name: name.clone(),
             span: name.span,
         };
-        let found = self.find(&reference, view)?;
+        let found = self.find_read(&reference, view)?;
         let id = match found {
             Found::Variable(id) if self.model[id].kind == DeclarationKind::Constant => id,
             _ => {
@@ -129,13 +132,36 @@ impl Resolver<'_> {
             self.report(Diagnostic::new(Rule::TypeMismatch, span, message));
             return None;
         }
-        if let Some(constant) = self.constants.waiting.remove(&id) {
-            self.constants.running.insert(id);
-            let view = self.view_of(self.model[id].owner);
-            self.model[id].initial = self.constant(constant, self.model[id].ty, view);
+        // A constant may stand for another, and that for a third: the last of such a chain is found out first.
+        let mut chain = Vec::new();
+        let mut next = Some(id);
+        while let Some(id) = next
+            && self.constants.waiting.contains_key(&id)
+            && self.constants.running.insert(id)
+        {
+            chain.push(id);
+            next = self.needed_for(id);
+        }
+        for id in chain.into_iter().rev() {
+            if let Some(constant) = self.constants.waiting.remove(&id) {
+                let view = self.view_of(self.model[id].owner);
+                self.model[id].initial = self.constant(constant, self.model[id].ty, view);
+            }
             self.constants.running.remove(&id);
         }
         self.model[id].initial
+    }
+
+    /// The constant that another one stands for, as far as that is evident.
+    fn needed_for(&self, id: VariableId) -> Option<VariableId> {
+        let ConstantKind::Name(name, _) = &self.constants.waiting.get(&id)?.kind else {
+            return None;
+        };
+        let home = self.model[id].owner;
+        let inside = home.and_then(|home| self.names.scopes[home.0].names.get(&name.text));
+        inside
+            .or_else(|| self.names.application.get(&name.text))
+            .copied()
     }
 
     /// How names look from inside a graph, or from the application.

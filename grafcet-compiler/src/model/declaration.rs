@@ -10,6 +10,12 @@ use crate::source::Span;
 impl<'a> Resolver<'a> {
     /// Makes the names of a declaration known; what stands behind them is looked at when all names are known.
     pub(super) fn declare(&mut self, declaration: &'a ast::Declaration, owner: Option<GraphId>) {
+        if declaration.names.is_empty() {
+            match owner {
+                Some(graph) => self.names.scopes[graph.0].nameless = true,
+                None => self.names.nameless = true,
+            }
+        }
         for name in &declaration.names {
             let first = self.scope_mut(owner).get(&name.text).copied();
             if let Some(first) = first {
@@ -34,6 +40,9 @@ impl<'a> Resolver<'a> {
                 binding: Binding::None,
                 span: name.span,
             });
+            if declaration.doubtful {
+                self.names.disputed.insert(id);
+            }
             self.declarations.push((id, declaration));
             if declaration.kind == DeclarationKind::Constant
                 && let Some(value) = &declaration.initial
@@ -238,6 +247,7 @@ impl<'a> Resolver<'a> {
             clashes.extend(declared.map(|variable| (bit, *variable, *step)));
         }
         for (bit, variable, step) in clashes {
+            self.names.scopes[graph.0].clashing.insert(bit.clone());
             let place = self.place_of(step);
             let message = format!(
                 "`{bit}` is the step bit of a step of the graph `{}`",

@@ -205,6 +205,18 @@ impl Expression {
         )
     }
 
+    /// Whether it is made of literals and constants only, all of which have a value.
+    #[must_use]
+    pub fn is_of_constants(&self, model: &Model) -> bool {
+        !self.contains(|it| match it.kind {
+            ExpressionKind::Variable(id) => {
+                model[id].kind != DeclarationKind::Constant || model[id].initial.is_none()
+            }
+            ExpressionKind::Constant(_) => false,
+            _ => it.operands().is_empty(),
+        })
+    }
+
     /// The value, when constants alone decide it. Arithmetic that would be a fault decides nothing.
     #[must_use]
     pub fn constant(&self, model: &Model) -> Option<i32> {

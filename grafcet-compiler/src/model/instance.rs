@@ -2,6 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use super::bound::Extent;
 use super::constant::a;
 use super::names::View;
 use super::resolver::Resolver;
@@ -16,9 +17,14 @@ pub(super) struct Pending<'a> {
     waiting: BTreeMap<VariableId, &'a ast::Expression>,
     /// Those that are being looked up: one that is bound to itself is bound to nothing.
     running: BTreeSet<VariableId>,
+    /// How large the expressions are that have been looked up.
+    extents: BTreeMap<VariableId, Extent>,
     /// Templates with an instance.
     used: BTreeSet<String>,
 }
+
+/// How many bytes of text all instances together may repeat of their templates.
+pub const MAX_REPEATED: usize = 4 << 20;
 
 impl<'a> Resolver<'a> {
     /// Takes an instance and notes what its interface names are bound to.
@@ -29,7 +35,12 @@ impl<'a> Resolver<'a> {
             return;
         };
         self.bindings.used.insert(template.name.text.clone());
+        if !self.may_repeat(template, instance) {
+            self.names.broken.insert(instance.name.text.clone());
+            return;
+        }
         let id = self.take_graph(&instance.name, template, Some(&template.name.text));
+        let interface = self.interface(id, template);
         let mut bound: BTreeMap<&str, Span> = BTreeMap::new();
         for binding in &instance.bindings {
             if let Some(first) = bound.insert(&binding.name.text, binding.name.span) {
@@ -39,14 +50,35 @@ impl<'a> Resolver<'a> {
                 self.report(diagnostic);
                 continue;
             }
-            self.bind(id, template, binding);
+            self.bind(id, template, &interface, binding);
         }
-        self.report_unbound(id, instance, template, &bound);
+        self.report_unbound(&interface, instance, template, &bound);
+    }
+
+    /// Whether there is room for one more instance.
+    fn may_repeat(&mut self, template: &ast::Graph, instance: &ast::Instance) -> bool {
+        let within = self.repeated <= MAX_REPEATED;
+        self.repeated += (template.span.end - template.span.start) as usize;
+        if within && self.repeated > MAX_REPEATED {
+            let message = format!(
+                "the instances of templates come to more than {} MB of text",
+                MAX_REPEATED >> 20
+            );
+            self.report(Diagnostic::new(
+                Rule::OutOfRange,
+                instance.name.span,
+                message,
+            ));
+        }
+        self.repeated <= MAX_REPEATED
     }
 
     fn report_missing_template(&mut self, name: &ast::Name) {
-        let help = self.suggest_or_list(&name.text, "", |names| {
-            names.templates.keys().cloned().collect()
+        if self.names.nameless_graph {
+            return;
+        }
+        let help = self.suggest_or_list(&name.text, "", |resolver| {
+            resolver.names.templates.keys().cloned().collect()
         });
         let message = format!("there is no template `{}`", name.text);
         self.report_with_help(
@@ -55,11 +87,17 @@ impl<'a> Resolver<'a> {
         );
     }
 
-    fn bind(&mut self, graph: GraphId, template: &ast::Graph, binding: &'a ast::Binding) {
+    fn bind(
+        &mut self,
+        graph: GraphId,
+        template: &ast::Graph,
+        interface: &BTreeSet<VariableId>,
+        binding: &'a ast::Binding,
+    ) {
         let name = &binding.name;
         let declared = self.names.scopes[graph.0].names.get(&name.text).copied();
-        let Some(id) = declared.filter(|id| self.is_interface(*id, template)) else {
-            self.report_no_interface(graph, template, name, declared);
+        let Some(id) = declared.filter(|id| interface.contains(id)) else {
+            self.report_no_interface(interface, template, name, declared);
             return;
         };
         match (&binding.to, self.model[id].kind) {
@@ -86,21 +124,34 @@ impl<'a> Resolver<'a> {
     }
 
     /// Inputs and outputs that a template declares without an address, and its parameters.
-    fn is_interface(&self, id: VariableId, template: &ast::Graph) -> bool {
-        let variable = &self.model[id];
-        match variable.kind {
-            DeclarationKind::Parameter => true,
-            DeclarationKind::Input | DeclarationKind::Output => !template.elements.iter().any(|element| {
-                matches!(element, ast::Element::Declaration(declaration)
-                    if declaration.address.is_some() && declaration.names.iter().any(|name| name.text == variable.name))
-            }),
-            DeclarationKind::Variable { .. } | DeclarationKind::Constant => false,
-        }
+    fn interface(&self, graph: GraphId, template: &ast::Graph) -> BTreeSet<VariableId> {
+        let declarations = template
+            .elements
+            .iter()
+            .filter_map(|element| match element {
+                ast::Element::Declaration(declaration) => Some(declaration),
+                _ => None,
+            });
+        let addressed: BTreeSet<&str> = declarations
+            .filter(|declaration| declaration.address.is_some())
+            .flat_map(|declaration| &declaration.names)
+            .map(|name| name.text.as_str())
+            .collect();
+        let names = self.model[graph].variables.clone().map(VariableId);
+        names
+            .filter(|id| match self.model[*id].kind {
+                DeclarationKind::Parameter => true,
+                DeclarationKind::Input | DeclarationKind::Output => {
+                    !addressed.contains(self.model[*id].name.as_str())
+                }
+                DeclarationKind::Variable { .. } | DeclarationKind::Constant => false,
+            })
+            .collect()
     }
 
     fn report_no_interface(
         &mut self,
-        graph: GraphId,
+        interface: &BTreeSet<VariableId>,
         template: &ast::Graph,
         name: &ast::Name,
         declared: Option<VariableId>,
@@ -110,12 +161,6 @@ impl<'a> Resolver<'a> {
             template.name.text, name.text
         );
         let diagnostic = Diagnostic::new(Rule::TemplateBinding, name.span, message);
-        let scope = &self.names.scopes[graph.0].names;
-        let interface: Vec<String> = scope
-            .iter()
-            .filter(|(_, id)| self.is_interface(**id, template))
-            .map(|(name, _)| name.clone())
-            .collect();
         match declared {
             Some(id) => {
                 let place = self.model[id].span;
@@ -126,7 +171,10 @@ impl<'a> Resolver<'a> {
                 self.report(diagnostic);
             }
             None => {
-                let help = self.suggest_or_list(&name.text, "", |_| interface);
+                let help = self.suggest_or_list(&name.text, "", |resolver| {
+                    let names = interface.iter().map(|id| &resolver.model[*id].name);
+                    names.cloned().collect()
+                });
                 self.report_with_help(diagnostic, help);
             }
         }
@@ -134,19 +182,18 @@ impl<'a> Resolver<'a> {
 
     fn report_unbound(
         &mut self,
-        graph: GraphId,
+        interface: &BTreeSet<VariableId>,
         instance: &ast::Instance,
         template: &ast::Graph,
         bound: &BTreeMap<&str, Span>,
     ) {
-        let names = self.model[graph].variables.clone().map(VariableId);
-        let unbound: Vec<VariableId> = names
-            .filter(|id| self.model[*id].kind != DeclarationKind::Parameter)
-            .filter(|id| self.is_interface(*id, template))
-            .filter(|id| !bound.contains_key(self.model[*id].name.as_str()))
-            .collect();
-        for id in unbound {
-            let variable = &self.model[id];
+        for id in interface {
+            let variable = &self.model[*id];
+            if variable.kind == DeclarationKind::Parameter
+                || bound.contains_key(variable.name.as_str())
+            {
+                continue;
+            }
             let message = format!(
                 "`{}` of the template `{}` is not bound",
                 variable.name, template.name.text
@@ -228,7 +275,19 @@ impl<'a> Resolver<'a> {
         let value = self.expression(text, View::Application);
         self.bindings.running.remove(&id);
         let value = self.check_binding(id, value);
+        self.bindings.extents.insert(id, Extent::of(&value));
         self.model[id].binding = Binding::Expression(Box::new(value));
+    }
+
+    /// Whether an interface name is bound to something that has not been looked up.
+    pub(super) fn is_waiting(&self, id: VariableId) -> bool {
+        self.bindings.waiting.contains_key(&id)
+    }
+
+    /// How large the expression is that an interface name stands for.
+    pub(super) fn extent_of(&self, id: VariableId) -> Extent {
+        let known = self.bindings.extents.get(&id).copied();
+        known.unwrap_or(Extent::ONE)
     }
 
     fn check_binding(&mut self, id: VariableId, value: Expression) -> Expression {

@@ -5,6 +5,7 @@ use super::names::{View, step_of};
 use super::resolver::Resolver;
 use crate::ast;
 use crate::diagnostic::{Diagnostic, Rule};
+use crate::literals;
 use crate::source::Span;
 
 impl Resolver<'_> {
@@ -16,9 +17,12 @@ impl Resolver<'_> {
             // It may belong to a plant or a template that there is not, which has been said.
             return;
         }
-        if let Some(step) = step_of(&name.text) {
+        if let Some(step) = step_of(&name.text)
+            && self.looks_like_a_step(step, view)
+        {
             match view.home() {
                 Some(home) => self.report_missing_step(home, name, step),
+                None if self.may_be_nameless(view) || self.report_leading_zeros(name, step) => {}
                 None => {
                     let message = match view {
                         View::Claim { .. } => format!("no graph has a step {step}"),
@@ -32,7 +36,8 @@ impl Resolver<'_> {
             }
             return;
         }
-        let nearest = self.suggest(&name.text, "", |names| {
+        let nearest = self.suggest(&name.text, "", |resolver| {
+            let names = &resolver.names;
             let plants = match view {
                 View::Claim { plants, .. } => plants,
                 _ => &[],
@@ -41,6 +46,9 @@ impl Resolver<'_> {
             let inside = scopes.flat_map(|graph| names.scopes[graph.0].names.keys());
             inside.chain(names.application.keys()).cloned().collect()
         });
+        if nearest.is_none() && self.may_be_nameless(view) {
+            return;
+        }
         let help = nearest.or_else(|| self.elsewhere(&name.text, view));
         let diagnostic = Diagnostic::new(
             Rule::UnknownName,
@@ -50,11 +58,48 @@ impl Resolver<'_> {
         self.report_with_help(diagnostic, help);
     }
 
+    /// Whether what is not found may be what was declared without a name.
+    fn may_be_nameless(&self, view: View) -> bool {
+        let mut scopes = match view.home() {
+            Some(home) => self.names.scopes[home.0..=home.0].iter(),
+            None => self.names.scopes.iter(),
+        };
+        self.names.nameless || scopes.any(|scope| scope.nameless)
+    }
+
+    /// Whether `X` and this identifier are meant as a step bit: digits always are; a letter and digits only where some
+    /// step is called by that letter, for the valve `XV101` is a name.
+    fn looks_like_a_step(&self, id: &str, view: View) -> bool {
+        let Some(letter) = id.chars().next().filter(|c| !c.is_ascii_digit()) else {
+            return true;
+        };
+        let mut scopes = match view.home() {
+            Some(home) => self.names.scopes[home.0..=home.0].iter(),
+            None => self.names.scopes.iter(),
+        };
+        scopes.any(|scope| {
+            let mut same_letter = scope.steps.range(letter.to_string()..);
+            same_letter
+                .next()
+                .is_some_and(|(id, _)| id.starts_with(letter))
+        })
+    }
+
+    /// Reports an identifier such as `07`, which names no step and cannot: whether it is one.
+    fn report_leading_zeros(&mut self, name: &ast::Name, step: &str) -> bool {
+        let Err((bad, Some(meant))) = literals::step_identifier(step) else {
+            return false;
+        };
+        let prefix = name.text.strip_suffix(step).unwrap_or("");
+        let diagnostic = Diagnostic::new(Rule::BadLiteral, name.span, bad.message)
+            .help(format!("write `{prefix}{meant}`"));
+        self.report(diagnostic);
+        true
+    }
+
     /// Advice when another graph, or a plant that does not run here, has the name.
     fn elsewhere(&self, name: &str, view: View) -> Option<String> {
-        let owner = (0..self.model.graphs.len())
-            .map(GraphId)
-            .find(|graph| self.names.scopes[graph.0].names.contains_key(name))?;
+        let owner = *self.names.holders.get(name)?.first()?;
         let graph = &self.model[owner];
         match (view, graph.plant) {
             (View::Claim { .. }, true) => Some(format!(
@@ -71,13 +116,19 @@ impl Resolver<'_> {
 
     /// Nothing by that name in that graph.
     pub(super) fn report_missing_inside(&mut self, graph: GraphId, name: &ast::Name) {
-        if let Some(step) = step_of(&name.text) {
+        if let Some(step) = step_of(&name.text)
+            && self.looks_like_a_step(step, View::Graph(graph))
+        {
             self.report_missing_step(graph, name, step);
             return;
         }
         let graph_name = self.model[graph].name.clone();
-        let nearest = self.suggest(&name.text, &format!("{graph_name}:"), |names| {
-            names.scopes[graph.0].names.keys().cloned().collect()
+        let nearest = self.suggest(&name.text, &format!("{graph_name}:"), |resolver| {
+            resolver.names.scopes[graph.0]
+                .names
+                .keys()
+                .cloned()
+                .collect()
         });
         let global = self.names.application.contains_key(&name.text);
         let help = nearest.or_else(|| {
@@ -93,10 +144,17 @@ impl Resolver<'_> {
 
     /// Reports that a graph has no such step; `name` is the place, `X7` or `7`.
     pub(super) fn report_missing_step(&mut self, graph: GraphId, name: &ast::Name, step: &str) {
+        if self.names.scopes[graph.0].nameless || self.report_leading_zeros(name, step) {
+            return;
+        }
         let prefix = name.text.strip_suffix(step).unwrap_or("");
         let called = self.called(graph, name.span);
-        let help = self.suggest_or_list(step, prefix, |names| {
-            names.scopes[graph.0].steps.keys().cloned().collect()
+        let help = self.suggest_or_list(step, prefix, |resolver| {
+            resolver.names.scopes[graph.0]
+                .steps
+                .keys()
+                .cloned()
+                .collect()
         });
         let diagnostic = Diagnostic::new(
             Rule::UnknownStep,
@@ -108,6 +166,9 @@ impl Resolver<'_> {
 
     /// No graph by that name.
     pub(super) fn report_missing_graph(&mut self, name: &ast::Name) {
+        if self.names.nameless_graph {
+            return;
+        }
         let diagnostic = Diagnostic::new(
             Rule::UnknownGraph,
             name.span,
@@ -119,8 +180,8 @@ impl Resolver<'_> {
                 name.text
             ))
         } else {
-            self.suggest_or_list(&name.text, "", |names| {
-                names.graphs.keys().cloned().collect()
+            self.suggest_or_list(&name.text, "", |resolver| {
+                resolver.names.graphs.keys().cloned().collect()
             })
         };
         self.report_with_help(diagnostic, help);

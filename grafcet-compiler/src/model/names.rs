@@ -3,6 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::resolver::Resolver;
+use super::suggest::nearest;
 use super::{DeclarationKind, GraphId, MacroId, StepId, System, VariableId};
 use crate::ast;
 use crate::diagnostic::{Diagnostic, Rule};
@@ -19,10 +20,17 @@ pub(super) struct Names<'a> {
     pub templates: BTreeMap<String, &'a ast::Graph>,
     /// Instances of templates that there are not: nothing is known of them, and nothing is said of what they lack.
     pub broken: BTreeSet<String>,
-    /// Names that are declared twice: which one is meant is not known, and nothing is said of how they are used.
+    /// Names that are declared twice or cannot be read whole: what is meant is not known, and nothing is said of how
+    /// they are used.
     pub disputed: BTreeSet<VariableId>,
+    /// The application declares something without a name.
+    pub nameless: bool,
+    /// A graph, plant or template has no name.
+    pub nameless_graph: bool,
     /// The names inside each graph.
     pub scopes: Vec<Scope>,
+    /// The graphs and plants that have a name or a step bit, by [`Names::note_holders`].
+    pub holders: BTreeMap<String, Vec<GraphId>>,
 }
 
 /// The names inside a graph.
@@ -34,6 +42,10 @@ pub(super) struct Scope {
     pub steps: BTreeMap<String, StepName>,
     /// Identifiers that are given twice.
     pub disputed: BTreeSet<String>,
+    /// A step or a declaration has no name, which has been reported: nothing is said of what is not found.
+    pub nameless: bool,
+    /// Step bits that are declared as names too: which is meant is not known, and nothing is said of their use.
+    pub clashing: BTreeSet<String>,
 }
 
 /// What a step identifier stands for.
@@ -89,6 +101,21 @@ impl View<'_> {
     }
 }
 
+impl Names<'_> {
+    /// Notes which graphs have which names, now that all of them are known.
+    pub fn note_holders(&mut self) {
+        for (index, scope) in self.scopes.iter().enumerate() {
+            let bits = scope.steps.keys().map(|id| format!("X{id}"));
+            for name in scope.names.keys().cloned().chain(bits) {
+                let holders = self.holders.entry(name).or_default();
+                if holders.last() != Some(&GraphId(index)) {
+                    holders.push(GraphId(index));
+                }
+            }
+        }
+    }
+}
+
 impl<'a> Resolver<'a> {
     /// What a name stands for; nothing when that is wrong, which is then reported.
     pub(super) fn find(&mut self, name: &ast::Ref, view: View) -> Option<Found> {
@@ -104,15 +131,31 @@ impl<'a> Resolver<'a> {
             }
             None => self.find_unqualified(&name.name, view),
         }?;
-        let disputed = matches!(found, Found::Variable(id) if self.names.disputed.contains(&id));
-        (!disputed && self.admit(found, name.span, view)).then_some(found)
+        (!self.is_disputed(found, &name.name.text)).then_some(found)
+    }
+
+    /// What a name that is read stands for; nothing when that is wrong, which is then reported.
+    pub(super) fn find_read(&mut self, name: &ast::Ref, view: View) -> Option<Found> {
+        let found = self.find(name, view)?;
+        self.admit(found, name.span, view).then_some(found)
+    }
+
+    /// Whether a name is given twice, which has been reported.
+    fn is_disputed(&self, found: Found, name: &str) -> bool {
+        let graph = match found {
+            Found::Variable(id) => return self.names.disputed.contains(&id),
+            Found::Step(id) => self.model[id].graph,
+            Found::Macro(id) => self.model[id].graph,
+            Found::System(_) => return false,
+        };
+        self.names.scopes[graph.0].clashing.contains(name)
     }
 
     fn find_system(&mut self, name: &ast::Name) -> Option<Found> {
         let found = System::ALL.into_iter().find(|it| it.name() == name.text);
         if found.is_none() {
-            let known = System::ALL.map(System::name);
-            let nearest = nearest(&name.text, known.into_iter());
+            let known = System::ALL.map(|it| it.name().to_owned());
+            let nearest = nearest(&name.text, &known);
             self.report_with_help(
                 Diagnostic::new(
                     Rule::UnknownName,
@@ -144,17 +187,18 @@ impl<'a> Resolver<'a> {
         None
     }
 
-    /// In a test or a property, what only one graph has may go unqualified.
+    /// In a test or a property, what only one graph has may go unqualified; what no graph has, but one of the plants.
     fn find_in_claim(&mut self, name: &ast::Name, plants: &[GraphId], view: View) -> Option<Found> {
-        let graphs: Vec<GraphId> = self
-            .model
-            .controller()
-            .chain(plants.iter().copied())
-            .collect();
-        let found: Vec<(GraphId, Found)> = graphs
-            .into_iter()
-            .filter_map(|graph| Some((graph, self.find_inside(graph, &name.text)?)))
-            .collect();
+        let holders = self.names.holders.get(&name.text);
+        let holders = || holders.into_iter().flatten().copied();
+        // Plants stand behind the graphs of the controller; two of a kind are too many.
+        let of_graphs = holders().take_while(|graph| !self.model[*graph].plant);
+        let mut holding: Vec<GraphId> = of_graphs.take(2).collect();
+        if holding.is_empty() {
+            holding.extend(holders().filter(|graph| plants.contains(graph)).take(2));
+        }
+        let inside = |graph: GraphId| Some((graph, self.find_inside(graph, &name.text)?));
+        let found: Vec<(GraphId, Found)> = holding.into_iter().filter_map(inside).collect();
         match found.as_slice() {
             [(_, only)] => Some(*only),
             [] => {
@@ -164,13 +208,12 @@ impl<'a> Resolver<'a> {
             [(first, _), (second, _), ..] => {
                 let (first, second) = (&self.model[*first].name, &self.model[*second].name);
                 let text = &name.text;
-                let what = if step_of(text).is_some() {
-                    "a step bit"
-                } else {
-                    "a name"
+                let (rule, what) = match step_of(text) {
+                    Some(_) => (Rule::UnknownStep, "a step bit"),
+                    None => (Rule::UnknownName, "a name"),
                 };
                 let diagnostic = Diagnostic::new(
-                    Rule::UnknownName,
+                    rule,
                     name.span,
                     format!("`{text}` is {what} of more than one graph"),
                 )
@@ -275,25 +318,4 @@ pub(super) fn step_of(name: &str) -> Option<&str> {
         .unwrap_or(id);
     let is_number = !digits.is_empty() && digits.bytes().all(|byte| byte.is_ascii_digit());
     is_number.then_some(id)
-}
-
-/// The known name nearest to one that is not known, if one is near at all.
-pub(super) fn nearest<'n>(name: &str, known: impl Iterator<Item = &'n str>) -> Option<&'n str> {
-    let length = name.chars().count();
-    let far = length.div_ceil(3).min(length.saturating_sub(1));
-    known
-        .map(|it| {
-            let same_but_case = it.to_lowercase() == name.to_lowercase();
-            (
-                if same_but_case {
-                    0
-                } else {
-                    strsim::osa_distance(name, it)
-                },
-                it,
-            )
-        })
-        .filter(|(distance, _)| *distance <= far)
-        .min()
-        .map(|(_, it)| it)
 }

@@ -3,10 +3,13 @@
 use super::constant::a;
 use super::names::{Found, View};
 use super::resolver::Resolver;
-use super::{Binding, Edge, Expression, ExpressionKind, Situation, Type, VariableId};
+use super::{Edge, Expression, ExpressionKind, GraphId, Situation, Type};
 use crate::ast::{self, Binary, Unary};
 use crate::diagnostic::{Diagnostic, Rule};
 use crate::source::Span;
+
+/// How many steps all comparisons `S(G) = {..}` of an application may look at: the steps of `G`, each time.
+pub const MAX_COMPARED: usize = 1_000_000;
 
 impl Resolver<'_> {
     /// An expression that must be Boolean; `what` says what it is.
@@ -34,13 +37,22 @@ impl Resolver<'_> {
         }
     }
 
-    /// An expression of any type. The parser has seen to it that it is not too deep.
+    /// An expression of any type. The parser has seen to it that it is not too deep, [`super::bound`] does so for what
+    /// its names stand for.
     pub(super) fn expression(&mut self, text: &ast::Expression, view: View) -> Expression {
+        self.substituted.depth += 1;
+        let expression = self.of_kind(text, view);
+        self.substituted.depth -= 1;
+        expression
+    }
+
+    fn of_kind(&mut self, text: &ast::Expression, view: View) -> Expression {
         let span = text.span;
         match &text.kind {
             ast::ExpressionKind::Bool(value) => constant(i32::from(*value), Type::Bool, span),
             ast::ExpressionKind::Integer(value) => self.literal(*value, Type::Int, span),
             ast::ExpressionKind::Duration(value) => self.literal(*value, Type::Time, span),
+            ast::ExpressionKind::Unreadable => Expression::unknown(span),
             ast::ExpressionKind::Ref(name) => self.name(name, view),
             ast::ExpressionKind::Situation {
                 graph,
@@ -83,7 +95,7 @@ impl Resolver<'_> {
     }
 
     fn name(&mut self, name: &ast::Ref, view: View) -> Expression {
-        let Some(found) = self.find(name, view) else {
+        let Some(found) = self.find_read(name, view) else {
             return Expression::unknown(name.span);
         };
         let (kind, ty) = match found {
@@ -97,22 +109,6 @@ impl Resolver<'_> {
             ty,
             span: name.span,
         }
-    }
-
-    /// A declared name as an expression: what it is bound to, if it is.
-    pub(super) fn variable(&mut self, id: VariableId, span: Span) -> Expression {
-        self.settle_binding(id, span);
-        let variable = &self.model[id];
-        let ty = Some(variable.ty);
-        let kind = match &variable.binding {
-            Binding::Expression(to) => ExpressionKind::Bound(id, to.clone()),
-            Binding::None | Binding::Address => ExpressionKind::Variable(id),
-        };
-        let ty = match &kind {
-            ExpressionKind::Bound(_, to) => to.ty,
-            _ => ty,
-        };
-        Expression { kind, ty, span }
     }
 
     fn situation(
@@ -138,6 +134,9 @@ impl Resolver<'_> {
             ast::Situation::Initial(_) => Situation::Initial,
             ast::Situation::Current(_) => return Expression::unknown(span),
         };
+        if !self.may_compare(id, span) {
+            return Expression::unknown(span);
+        }
         Expression {
             kind: ExpressionKind::Situation {
                 graph: id,
@@ -147,6 +146,21 @@ impl Resolver<'_> {
             ty: Some(Type::Bool),
             span,
         }
+    }
+
+    /// Every comparison looks at all steps of its graph; all comparisons together at [`MAX_COMPARED`] steps.
+    fn may_compare(&mut self, graph: GraphId, span: Span) -> bool {
+        let within = self.compared <= MAX_COMPARED;
+        self.compared += self.model[graph].steps.len();
+        if within && self.compared > MAX_COMPARED {
+            let message = format!(
+                "the situations that the program compares come to more than {MAX_COMPARED} steps"
+            );
+            let diagnostic = Diagnostic::new(Rule::OutOfRange, span, message)
+                .help("ask for the steps that count, as in `X3 AND NOT X4`");
+            self.report(diagnostic);
+        }
+        self.compared <= MAX_COMPARED
     }
 
     fn unary(&mut self, operator: Unary, operand: Expression, span: Span) -> Expression {
@@ -194,7 +208,12 @@ impl Resolver<'_> {
         if operator == Binary::Divide && is_delay(&left, &right) {
             return self.divide_as_delay(left, right, span);
         }
-        let ty = match (left.ty, right.ty) {
+        let mut types = (left.ty, right.ty);
+        if matches!(operator, Binary::And | Binary::Or | Binary::Xor) {
+            // Whatever was wrong in an operand, a number beside it is wrong too.
+            types = (types.0.or(Some(Type::Bool)), types.1.or(Some(Type::Bool)));
+        }
+        let ty = match types {
             (Some(left), Some(right)) => match result(operator, left, right) {
                 Some(ty) => Some(ty),
                 None => {

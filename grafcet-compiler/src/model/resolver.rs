@@ -1,18 +1,13 @@
 //! From trees to a model: the order in which names become known.
 
-use super::names::{Names, nearest};
+use super::bound::Substituted;
+use super::names::Names;
 use super::structure::Body;
+use super::suggest::Suggestions;
 use super::{Binding, DeclarationKind, GraphId, Model, VariableId};
 use crate::ast::{self, Item};
 use crate::diagnostic::{Diagnostic, Rule};
 use crate::source::Span;
-
-/// So many candidates are compared with unknown names in one compilation, then no more names are suggested: a file of
-/// nothing but unknown names must not take long.
-const SUGGESTION_BUDGET: usize = 2_000_000;
-
-/// So many names are listed when none is near.
-const MOST_LISTED: usize = 12;
 
 /// What is known while names are looked up.
 pub(super) struct Resolver<'a> {
@@ -27,7 +22,12 @@ pub(super) struct Resolver<'a> {
     /// Declarations whose ranges, addresses and values are not looked at yet.
     pub declarations: Vec<(VariableId, &'a ast::Declaration)>,
     pub diagnostics: Vec<Diagnostic>,
-    suggestions_left: usize,
+    pub suggestions: Suggestions,
+    pub substituted: Substituted,
+    /// Bytes of template text that instances have repeated.
+    pub repeated: usize,
+    /// Steps in all situations that expressions compare.
+    pub compared: usize,
 }
 
 /// Looks up every name of an application. `files` are the main file and the libraries that it imports, directly or
@@ -48,7 +48,10 @@ pub(crate) fn resolve(files: &[ast::File], stem: &str) -> (Model, Vec<Diagnostic
         bindings: Default::default(),
         declarations: Vec::new(),
         diagnostics: Vec::new(),
-        suggestions_left: SUGGESTION_BUDGET,
+        suggestions: Suggestions::default(),
+        substituted: Substituted::default(),
+        repeated: 0,
+        compared: 0,
     };
     resolver.take_application(main);
     resolver.take_templates(main, libraries);
@@ -78,7 +81,9 @@ impl<'a> Resolver<'a> {
         let items = libraries.iter().chain([main]).flat_map(|file| &file.items);
         for item in items {
             if let Item::Template(template) = item {
-                if let Some(first) = self.names.templates.get(&template.name.text) {
+                if template.name.text.is_empty() {
+                    self.names.nameless_graph = true;
+                } else if let Some(first) = self.names.templates.get(&template.name.text) {
                     let first = first.name.span;
                     self.report_duplicate("template", &template.name, first);
                 } else {
@@ -150,6 +155,7 @@ impl<'a> Resolver<'a> {
         for index in 0..self.model.graphs.len() {
             self.refuse_names_of_step_bits(GraphId(index));
         }
+        self.names.note_holders();
     }
 
     fn take_actions(&mut self) {
@@ -171,59 +177,21 @@ impl<'a> Resolver<'a> {
         });
     }
 
-    /// Two declarations of one name in one scope.
-    pub fn report_duplicate(&mut self, what: &str, second: &ast::Name, first: Span) {
+    /// Two declarations of one name in one scope: the one that stands later in the source is the second, whichever
+    /// has been taken first.
+    pub fn report_duplicate(&mut self, what: &str, name: &ast::Name, other: Span) {
+        let (first, second) = if other.file == name.span.file && name.span < other {
+            (name.span, other)
+        } else {
+            (other, name.span)
+        };
         let diagnostic = Diagnostic::new(
             Rule::DuplicateName,
-            second.span,
-            format!("a second {what} is called `{}`", second.text),
+            second,
+            format!("a second {what} is called `{}`", name.text),
         )
         .label(first, "the first one is here");
         self.report(diagnostic);
-    }
-
-    /// Advice to take the nearest of the known names, written with a prefix, as long as looking for it does not take
-    /// too long.
-    pub fn suggest(
-        &mut self,
-        name: &str,
-        prefix: &str,
-        known: impl FnOnce(&Names) -> Vec<String>,
-    ) -> Option<String> {
-        let known = self.candidates(known)?;
-        let near = nearest(name, known.iter().map(String::as_str))?;
-        Some(format!("did you mean `{prefix}{near}`?"))
-    }
-
-    /// The same, or all that is known when none is near and there are few.
-    pub fn suggest_or_list(
-        &mut self,
-        name: &str,
-        prefix: &str,
-        known: impl FnOnce(&Names) -> Vec<String>,
-    ) -> Option<String> {
-        let mut known = self.candidates(known)?;
-        if let Some(near) = nearest(name, known.iter().map(String::as_str)) {
-            return Some(format!("did you mean `{prefix}{near}`?"));
-        }
-        known.sort_by_key(|it| (it.len(), it.clone()));
-        match known.as_slice() {
-            [only] => Some(format!("there is only `{prefix}{only}`")),
-            [first @ .., last] if first.len() < MOST_LISTED => {
-                let first = first.join(&format!("`, `{prefix}"));
-                Some(format!("there are `{prefix}{first}` and `{prefix}{last}`"))
-            }
-            _ => None,
-        }
-    }
-
-    fn candidates(&mut self, known: impl FnOnce(&Names) -> Vec<String>) -> Option<Vec<String>> {
-        if self.suggestions_left == 0 {
-            return None;
-        }
-        let known = known(&self.names);
-        self.suggestions_left = self.suggestions_left.saturating_sub(known.len());
-        Some(known)
     }
 
     /// Which variable a name that an action writes stands for: an interface output may stand for another one.

@@ -56,20 +56,20 @@ impl<'a> Resolver<'a> {
     }
 
     fn take_graph_name(&mut self, name: &ast::Name, id: GraphId) {
-        let first = match self.names.graphs.get(&name.text) {
-            Some(first) => Some(self.model[*first].span),
-            None => self
-                .names
-                .templates
-                .get(&name.text)
-                .map(|first| first.name.span),
-        };
-        match first {
-            Some(first) => self.report_duplicate("graph", name, first),
-            None => {
-                self.names.graphs.insert(name.text.clone(), id);
-            }
+        const WHAT: &str = "graph, plant or template";
+        if name.text.is_empty() {
+            self.names.nameless_graph = true;
+            return;
         }
+        if let Some(first) = self.names.graphs.get(&name.text) {
+            let first = self.model[*first].span;
+            return self.report_duplicate(WHAT, name, first);
+        }
+        if let Some(template) = self.names.templates.get(&name.text) {
+            let template = template.name.span;
+            self.report_duplicate(WHAT, name, template);
+        }
+        self.names.graphs.insert(name.text.clone(), id);
     }
 
     pub(super) fn add_graph(
@@ -195,7 +195,12 @@ impl<'a> Resolver<'a> {
     }
 
     fn register_step(&mut self, graph: GraphId, name: &ast::Name, step: StepName) {
-        let steps = &mut self.names.scopes[graph.0].steps;
+        let scope = &mut self.names.scopes[graph.0];
+        if name.text.is_empty() {
+            scope.nameless = true;
+            return;
+        }
+        let steps = &mut scope.steps;
         let Some(first) = steps.get(&name.text).copied() else {
             steps.insert(name.text.clone(), step);
             return;

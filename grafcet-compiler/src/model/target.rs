@@ -98,6 +98,11 @@ impl Resolver<'_> {
                 format!("`{name}` is an output: a plant can only read it"),
                 Some("a plant writes inputs and its own variables".to_owned()),
             )),
+            DeclarationKind::Variable { .. } => Some((
+                Rule::WriteToConstant,
+                format!("`{name}` is a variable of the controller: a plant cannot write it"),
+                Some("a plant writes inputs and its own variables".to_owned()),
+            )),
             _ => self.refused_to_graph(id),
         }
     }

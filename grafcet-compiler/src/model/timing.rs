@@ -41,8 +41,18 @@ impl Resolver<'_> {
         }
     }
 
-    /// Refuses a constant preset above [`LONGEST_MS`].
+    /// Refuses a constant preset above [`LONGEST_MS`], and one that cannot be computed.
     fn limited(&mut self, preset: Expression) -> Expression {
+        if preset.ty.is_some()
+            && preset.is_of_constants(&self.model)
+            && preset.constant(&self.model).is_none()
+        {
+            let message = "this preset goes beyond 32 bits, or divides by zero";
+            let diagnostic = Diagnostic::new(Rule::OutOfRange, preset.span, message)
+                .help("a preset is at most 24 days");
+            self.report(diagnostic);
+            return preset;
+        }
         let ms = preset.constant(&self.model).map(|value| match preset.ty {
             Some(Type::Int) => i64::from(value) * MS_PER_SECOND,
             _ => i64::from(value),

@@ -11,7 +11,18 @@ impl Parser<'_> {
     pub(super) fn declaration(&mut self) -> Parsed<Declaration> {
         let start = self.next_token();
         let kind = self.declaration_kind()?;
-        let names = self.list(|parser| parser.declared_name("a name"))?;
+        let names = match self.peek() {
+            // The rest is read all the same.
+            TokenKind::Colon | TokenKind::Equal | TokenKind::Text => {
+                self.expected("a name");
+                Vec::new()
+            }
+            TokenKind::Keyword(Keyword::At) if self.peek_second() == TokenKind::Address => {
+                self.expected("a name");
+                Vec::new()
+            }
+            _ => self.list(|parser| parser.declared_name("a name"))?,
+        };
         let mut declaration = Declaration {
             kind,
             names,
@@ -20,13 +31,17 @@ impl Parser<'_> {
             initial: None,
             range: None,
             text: None,
+            doubtful: false,
             span: self.span_since(start),
         };
-        let complete = self.clauses(&mut declaration).is_ok();
+        let read = self.clauses(&mut declaration);
         declaration.span = self.span_since(start);
-        if complete {
+        if read.is_ok() {
             self.check_shape(&declaration);
-        } else {
+        }
+        // What a declaration says where it cannot be read may be its type.
+        declaration.doubtful = declaration.ty.is_none() && !self.at_end();
+        if read.is_err() {
             self.recover();
         }
         Ok(declaration)

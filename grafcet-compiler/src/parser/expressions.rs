@@ -210,14 +210,11 @@ impl Parser<'_> {
             TokenKind::LeftParenthesis => self.nested(Self::parenthesised),
             TokenKind::Number => {
                 let span = self.span_of(self.next_token());
-                Ok(Tree::leaf(ExpressionKind::Integer(self.integer()), span))
+                Ok(Tree::leaf(self.number(|value| value), span))
             }
             TokenKind::Duration => {
                 let span = self.span_of(self.next_token());
-                Ok(Tree::leaf(
-                    ExpressionKind::Duration(self.milliseconds()),
-                    span,
-                ))
+                Ok(Tree::leaf(self.stretch(|value| value), span))
             }
             TokenKind::True | TokenKind::False => {
                 let token = self.bump();
@@ -239,15 +236,30 @@ impl Parser<'_> {
         self.bounded(Tree::over(kind, span, depth))
     }
 
-    /// `- x`; directly before an integer the two are one literal.
+    /// The number that comes next, with its sign.
+    fn number(&mut self, signed: fn(i64) -> i64) -> ExpressionKind {
+        self.integer()
+            .map(signed)
+            .map_or(ExpressionKind::Unreadable, ExpressionKind::Integer)
+    }
+
+    /// The duration that comes next, with its sign.
+    fn stretch(&mut self, signed: fn(i64) -> i64) -> ExpressionKind {
+        self.milliseconds()
+            .map(signed)
+            .map_or(ExpressionKind::Unreadable, ExpressionKind::Duration)
+    }
+
+    /// `- x`; directly before an integer or a duration the two are one literal.
     fn negation(&mut self) -> Parsed<Tree> {
         let start = self.bump();
-        if self.at(TokenKind::Number) {
-            let value = self.integer().saturating_neg();
-            return Ok(Tree::leaf(
-                ExpressionKind::Integer(value),
-                self.span_since(start),
-            ));
+        let literal = match self.peek() {
+            TokenKind::Number => Some(self.number(i64::saturating_neg)),
+            TokenKind::Duration => Some(self.stretch(i64::saturating_neg)),
+            _ => None,
+        };
+        if let Some(literal) = literal {
+            return Ok(Tree::leaf(literal, self.span_since(start)));
         }
         let operand = self.operand()?;
         let span = self.span_of(start).to(operand.outer);

@@ -31,6 +31,16 @@ impl Body {
     }
 }
 
+/// The braces of a graph or of an expansion.
+fn body_of(owner: &str) -> Room<'_> {
+    Room {
+        name: owner,
+        advice: ADVICE,
+        is_foreign: Keyword::begins_item_only,
+        keeps_unfinished: true,
+    }
+}
+
 impl Parser<'_> {
     /// `"text" { .. }` behind the name of a graph, a template or a plant.
     pub(super) fn graph_body(
@@ -48,14 +58,16 @@ impl Parser<'_> {
         })
     }
 
+    /// Takes what stands behind a graph as part of it, up to the next `}` or to something else.
+    pub(super) fn go_on(&mut self, graph: &mut Graph) {
+        let mut read = |parser: &mut Self| parser.element(Body::Graph);
+        let more = self.parts(&body_of(&graph.name.text), None, &mut read);
+        graph.elements.extend(more);
+    }
+
     /// `{ .. }` with elements. Errors in it are dealt with inside.
     fn body(&mut self, body: Body, owner: &str) -> Parsed<Vec<Element>> {
-        let room = Room {
-            name: owner,
-            advice: ADVICE,
-            is_foreign: Keyword::begins_item_only,
-        };
-        self.room(&room, |parser| parser.element(body))
+        self.room(&body_of(owner), |parser| parser.element(body))
     }
 
     fn element(&mut self, body: Body) -> Parsed<Element> {
@@ -129,7 +141,7 @@ impl Parser<'_> {
         let mut step = Step {
             initial,
             role,
-            id: self.step_identifier("a step identifier")?,
+            id: self.declared_step("a step identifier")?,
             text: None,
             encloses: Vec::new(),
             block: None,
@@ -163,7 +175,8 @@ impl Parser<'_> {
         if self.at(TokenKind::LeftBrace) {
             step.block = Some(self.block(Place::Step)?);
         } else if self.at(TokenKind::Name) {
-            return Err(self.expected_help("`{` and the action of the step", BRACES));
+            self.expected_help("`{` and the action of the step", BRACES);
+            step.block = Some(self.block(Place::Step)?);
         }
         Ok(())
     }
@@ -172,7 +185,7 @@ impl Parser<'_> {
     fn macro_step(&mut self) -> Parsed<Macro> {
         let start = self.bump();
         self.expect(TokenKind::Keyword(Keyword::Step), "`step` behind `macro`")?;
-        let id = self.step_identifier("the identifier of the macro step")?;
+        let id = self.declared_step("the identifier of the macro step")?;
         let text = self.text_if_any();
         let elements = self.body(Body::Macro, &format!("macro step `{}`", id.text))?;
         Ok(Macro {
@@ -271,6 +284,11 @@ impl Parser<'_> {
                 self.error(span, "a trigger does not begin with `IF`", "write `when`");
                 self.bump();
             } else if !self.eat(TokenKind::Keyword(Keyword::When)) {
+                let in_line = (self.index..).map(|index| self.token(index));
+                let mut in_line = in_line
+                    .take_while(|token| !token.newline && token.kind != TokenKind::EndOfFile);
+                let when =
+                    in_line.position(|token| token.kind == TokenKind::Keyword(Keyword::When));
                 if self.at(TokenKind::LeftBrace) {
                     return Err(self.expected_help(
                         "`when` or `do`",
@@ -279,8 +297,13 @@ impl Parser<'_> {
                 }
                 let help = "the trigger of a transition begins with `when`";
                 self.expected_help("`when`", help);
+                self.index += when.map_or(0, |ahead| ahead + 1);
             }
             transition.trigger = self.trigger()?;
+            if !self.at_end() && !self.at(TokenKind::Keyword(Keyword::Do)) {
+                // What it would have been is not known.
+                transition.trigger = Trigger::AlwaysTrue;
+            }
         }
         if self.eat(TokenKind::Keyword(Keyword::Do)) {
             transition.action = Some(self.block(Place::Do)?);
@@ -290,6 +313,10 @@ impl Parser<'_> {
 
     /// What stands behind `when`.
     fn trigger(&mut self) -> Parsed<Trigger> {
+        if self.at(TokenKind::Keyword(Keyword::When)) {
+            self.expected("a trigger");
+            self.bump();
+        }
         if self.at(TokenKind::Text) {
             return Ok(Trigger::Text(self.quoted("a text")?));
         }

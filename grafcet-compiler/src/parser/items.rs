@@ -1,8 +1,9 @@
 //! What stands in a file: imports, the application, options, instances and everything else by name.
 
-use crate::ast::{Binding, BindingTarget, File, Instance, Item, ScanOption};
+use crate::ast::{Binding, BindingTarget, File, Instance, Item, Name, ScanOption};
 use crate::diagnostic::{Diagnostic, Rule};
 use crate::lexer::token::{Keyword, Token, TokenKind};
+use crate::source::Span;
 
 use super::cursor::{Failed, Parsed, Parser};
 use super::graphs::ADVICE;
@@ -10,6 +11,10 @@ use super::recovery::Room;
 
 /// What may stand in a file.
 const WHAT: &str = "a declaration, a graph, a plant, a property or a test";
+
+/// Where the parts of a graph stand.
+const INSIDE: &str =
+    "steps, transitions and stand-alone actions stand inside a graph: `graph G { .. }`";
 
 impl Parser<'_> {
     /// The whole file.
@@ -31,8 +36,13 @@ impl Parser<'_> {
                 }
                 _ => {}
             }
+            if self.goes_on_with_graph(&mut file) {
+                continue;
+            }
             match self.file_part(&mut file) {
-                Ok(()) => self.end_statement(ADVICE),
+                Ok(()) => {
+                    self.end_statement(ADVICE);
+                }
                 Err(_) => self.recover(),
             }
             // Whatever happened, something is taken: the file comes to its end.
@@ -40,6 +50,33 @@ impl Parser<'_> {
                 self.bump();
             }
         }
+    }
+
+    /// Steps and transitions right behind a graph: a `}` closed it too early. They are taken as part of it, so that
+    /// what they name is known.
+    fn goes_on_with_graph(&mut self, file: &mut File) -> bool {
+        let TokenKind::Keyword(word) = self.peek() else {
+            return false;
+        };
+        let Some(Item::Graph(graph) | Item::Template(graph) | Item::Plant(graph)) =
+            file.items.last_mut()
+        else {
+            return false;
+        };
+        if !word.begins_graph_part_only() {
+            return false;
+        }
+        let message = format!("expected {WHAT}, found {}", self.found());
+        let closed = Span {
+            start: graph.span.end.saturating_sub(1),
+            ..graph.span
+        };
+        let diagnostic = Diagnostic::new(Rule::Syntax, self.span_here(), message)
+            .label(closed, format!("`{}` is closed here", graph.name.text))
+            .help(INSIDE);
+        self.push(diagnostic);
+        self.go_on(graph);
+        true
     }
 
     /// One import, option or item.
@@ -123,7 +160,7 @@ impl Parser<'_> {
             | Keyword::Const => self.declaration().map(Item::Declaration),
             Keyword::Graph => {
                 self.bump();
-                let name = self.declared_name("the name of the graph")?;
+                let name = self.graph_name("the name of the graph")?;
                 if matches!(self.peek(), TokenKind::Equal | TokenKind::Assign) {
                     return self.instance(name, start).map(Item::Instance);
                 }
@@ -131,12 +168,12 @@ impl Parser<'_> {
             }
             Keyword::Template => {
                 self.bump();
-                let name = self.declared_name("the name of the template")?;
+                let name = self.graph_name("the name of the template")?;
                 self.graph_body(name, start).map(Item::Template)
             }
             Keyword::Plant => {
                 self.bump();
-                let name = self.declared_name("the name of the plant")?;
+                let name = self.graph_name("the name of the plant")?;
                 self.graph_body(name, start).map(Item::Plant)
             }
             Keyword::Property => self.property().map(Item::Property),
@@ -145,32 +182,36 @@ impl Parser<'_> {
         }
     }
 
+    /// The name of a graph. Where there is none the rest is read all the same; the name is empty then.
+    fn graph_name(&mut self, what: &str) -> Parsed<Name> {
+        if matches!(self.peek(), TokenKind::Text | TokenKind::LeftBrace) {
+            self.expected(what);
+            return Ok(Name {
+                text: String::new(),
+                span: self.span_here(),
+            });
+        }
+        self.declared_name(what)
+    }
+
     fn item_missing(&mut self) -> Failed {
         match self.peek() {
-            TokenKind::Keyword(
-                Keyword::Initial
-                | Keyword::Step
-                | Keyword::Macro
-                | Keyword::Entry
-                | Keyword::Exit
-                | Keyword::Transition
-                | Keyword::Always,
-            ) => self.expected_help(
-                WHAT,
-                "steps, transitions and stand-alone actions stand inside a graph: `graph G { .. }`",
-            ),
+            TokenKind::Keyword(word) if word.begins_graph_part_only() => {
+                self.expected_help(WHAT, INSIDE)
+            }
             _ => self.expected(WHAT),
         }
     }
 
     /// `= T { a at %IX0.0; b = c }` behind `graph G`.
-    fn instance(&mut self, name: crate::ast::Name, start: Token) -> Parsed<Instance> {
+    fn instance(&mut self, name: Name, start: Token) -> Parsed<Instance> {
         self.equals();
         let template = self.name("the name of a template")?;
         let room = Room {
             name: "this instance",
             advice: "separate bindings by `;` or a new line",
             is_foreign: |word| word.begins_element(),
+            keeps_unfinished: true,
         };
         let bindings = if self.at(TokenKind::LeftBrace) {
             self.room(&room, Self::binding)?

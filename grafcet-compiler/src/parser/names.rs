@@ -3,7 +3,7 @@
 use crate::ast::{Constant, ConstantKind, Name, Ref, Set, Situation, Text};
 use crate::diagnostic::{Diagnostic, Rule};
 use crate::lexer;
-use crate::lexer::token::{Token, TokenKind};
+use crate::lexer::token::{Keyword, Token, TokenKind};
 use crate::literals::{self, BadLiteral};
 use crate::source::Span;
 
@@ -56,6 +56,11 @@ impl Parser<'_> {
 
     /// A name that is declared here. `System` and the step bits of numbered steps are refused.
     pub(super) fn declared_name(&mut self, what: &str) -> Parsed<Name> {
+        if matches!(self.peek(), TokenKind::Keyword(_)) && self.peek_second() == TokenKind::Name {
+            // One word too many, not a reserved word as a name.
+            self.expected(what);
+            self.bump();
+        }
         let is_name = self.at(TokenKind::Name);
         let name = self.name(what)?;
         if is_name && name.text == "System" {
@@ -156,6 +161,24 @@ impl Parser<'_> {
         Ok(name)
     }
 
+    /// The identifier of a step that is declared here. Where there is none the rest of the step is read all the same;
+    /// the identifier is empty then.
+    pub(super) fn declared_step(&mut self, what: &str) -> Parsed<Name> {
+        let missing = self.at_end()
+            || matches!(
+                self.peek(),
+                TokenKind::Text | TokenKind::LeftBrace | TokenKind::Keyword(Keyword::Encloses)
+            );
+        let name = self.step_identifier(what);
+        if missing {
+            return Ok(Name {
+                text: String::new(),
+                span: self.span_here(),
+            });
+        }
+        name
+    }
+
     /// Reports a literal that cannot be read, which is the next token.
     fn bad_literal(&mut self, span: Span, bad: BadLiteral) {
         let diagnostic = Diagnostic::new(Rule::BadLiteral, span, bad.message).help(bad.help);
@@ -188,8 +211,18 @@ impl Parser<'_> {
             Initial,
             Current,
         }
-        let open = self.expect(TokenKind::LeftBrace, "a set of steps such as `{1, 3}`")?;
+        let open = self.next_token();
+        if let Err(failed) = self.expect(TokenKind::LeftBrace, "a set of steps such as `{1, 3}`")
+            && !self.before_rest_of_set()
+        {
+            return Err(failed);
+        }
         let inside = self.in_set(|parser| {
+            if parser.at(TokenKind::LeftBrace) && parser.is_behind_left_brace() {
+                let span = parser.span_here();
+                parser.error(span, "a second `{`", "remove it");
+                parser.bump();
+            }
             let inside = if parser.eat(TokenKind::Star) {
                 Inside::Current
             } else if parser.eat_word("I") {
@@ -214,6 +247,21 @@ impl Parser<'_> {
         })
     }
 
+    /// Steps and a `}` follow, so that only the `{` of a set is missing.
+    fn before_rest_of_set(&self) -> bool {
+        let rest = (self.index..).map(|index| self.token(index));
+        let mut behind = rest.skip_while(|token| {
+            let of_a_set = matches!(
+                token.kind,
+                TokenKind::Name | TokenKind::Number | TokenKind::Star | TokenKind::Comma
+            );
+            of_a_set && !token.newline
+        });
+        behind
+            .next()
+            .is_some_and(|token| token.kind == TokenKind::RightBrace && !token.newline)
+    }
+
     /// `"text"`.
     pub(super) fn quoted(&mut self, what: &str) -> Parsed<Text> {
         let token = self.expect(TokenKind::Text, what)?;
@@ -234,24 +282,21 @@ impl Parser<'_> {
         }
     }
 
-    /// The value of the number that comes next. What cannot be read is reported and counts as 0.
-    pub(super) fn integer(&mut self) -> i64 {
-        let token = self.next_token();
-        let value = literals::integer(self.text_of(token)).unwrap_or_else(|bad| {
-            self.bad_literal(self.span_of(token), bad);
-            0
-        });
-        self.bump();
-        value
+    /// The value of the number that comes next; nothing when it cannot be read, which is reported.
+    pub(super) fn integer(&mut self) -> Option<i64> {
+        self.literal(literals::integer)
     }
 
-    /// The length of the duration that comes next, in ms. What cannot be read is reported and counts as 0.
-    pub(super) fn milliseconds(&mut self) -> i64 {
+    /// The length of the duration that comes next, in ms; nothing when it cannot be read, which is reported.
+    pub(super) fn milliseconds(&mut self) -> Option<i64> {
+        self.literal(literals::duration)
+    }
+
+    fn literal(&mut self, read: fn(&str) -> Result<i64, BadLiteral>) -> Option<i64> {
         let token = self.next_token();
-        let value = literals::duration(self.text_of(token)).unwrap_or_else(|bad| {
-            self.bad_literal(self.span_of(token), bad);
-            0
-        });
+        let value = read(self.text_of(token))
+            .map_err(|bad| self.bad_literal(self.span_of(token), bad))
+            .ok();
         self.bump();
         value
     }
@@ -263,7 +308,9 @@ impl Parser<'_> {
             return Err(self.expected_help(what, HELP));
         }
         let span = self.span_of(self.next_token());
-        let kind = ConstantKind::Duration(self.milliseconds());
+        let kind = self
+            .milliseconds()
+            .map_or(ConstantKind::Unreadable, ConstantKind::Duration);
         Ok(Constant { kind, span })
     }
 
@@ -279,8 +326,14 @@ impl Parser<'_> {
             }
         };
         let kind = match self.peek() {
-            TokenKind::Number => ConstantKind::Integer(signed(self.integer())),
-            TokenKind::Duration => ConstantKind::Duration(signed(self.milliseconds())),
+            TokenKind::Number => self
+                .integer()
+                .map(signed)
+                .map_or(ConstantKind::Unreadable, ConstantKind::Integer),
+            TokenKind::Duration => self
+                .milliseconds()
+                .map(signed)
+                .map_or(ConstantKind::Unreadable, ConstantKind::Duration),
             TokenKind::Name => ConstantKind::Name(self.name(what)?, negative),
             TokenKind::True | TokenKind::False if !negative => {
                 ConstantKind::Bool(self.bump().kind == TokenKind::True)

@@ -50,13 +50,18 @@ impl Parser<'_> {
             steps: Vec::new(),
             span: self.span_since(start),
         };
-        if self.eat_word("with") {
+        let with = self.eat_word("with");
+        if !with && self.at(TokenKind::Name) {
+            self.expected("`with` or `{`");
+        }
+        if with || self.at(TokenKind::Name) {
             test.plants = self.list(|parser| parser.name("the name of a plant"))?;
         }
         let room = Room {
             name: "this test",
             advice: "separate the steps of a test by `;` or a new line",
             is_foreign: |word| word.begins_element() && word != Keyword::Always,
+            keeps_unfinished: false,
         };
         test.steps = self.room(&room, Self::test_step)?;
         test.span = self.span_since(start);
@@ -148,7 +153,7 @@ impl Parser<'_> {
                     "write `wait 3 scans` or `wait 30 ms`",
                 ));
             }
-            return Ok(TestStepKind::WaitScans(count));
+            return Ok(TestStepKind::WaitScans(count.unwrap_or_default()));
         }
         self.duration("a duration, a number of scans or `until`")
             .map(TestStepKind::Wait)

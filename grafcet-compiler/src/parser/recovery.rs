@@ -13,6 +13,9 @@ pub(super) struct Room<'a> {
     pub(super) advice: &'a str,
     /// Words that begin what cannot stand in it.
     pub(super) is_foreign: fn(Keyword) -> bool,
+    /// A part behind which something stands that cannot be read is taken all the same: it gives names. What else it
+    /// means is as good as unknown.
+    pub(super) keeps_unfinished: bool,
 }
 
 impl Parser<'_> {
@@ -22,15 +25,43 @@ impl Parser<'_> {
         room: &Room,
         mut read: impl FnMut(&mut Self) -> Parsed<T>,
     ) -> Parsed<Vec<T>> {
-        let open = self.expect(TokenKind::LeftBrace, "`{`")?;
+        let open = match self.expect(TokenKind::LeftBrace, "`{`") {
+            Ok(open) => Some(open),
+            Err(failed) => {
+                // Nothing is said of the end of what has no beginning.
+                self.find_inside().ok_or(failed)?;
+                None
+            }
+        };
+        Ok(self.parts(room, open, &mut read))
+    }
+
+    /// The parts behind a `{` up to its `}`. When nothing opened them, they end wherever something else begins.
+    pub(super) fn parts<T>(
+        &mut self,
+        room: &Room,
+        open: Option<Token>,
+        read: &mut impl FnMut(&mut Self) -> Parsed<T>,
+    ) -> Vec<T> {
         let mut parts = Vec::new();
         loop {
             self.next_statement();
             match self.peek() {
+                TokenKind::RightBrace if self.goes_on_behind_brace() => {
+                    let message = format!("this `}}` closes {} amid a statement", room.name);
+                    let span = self.span_here();
+                    self.error(span, message, "remove it, or begin a new line behind it");
+                    self.recover_behind_brace();
+                }
                 TokenKind::RightBrace => {
                     self.block_end = Some(self.index);
                     self.bump();
                     break;
+                }
+                TokenKind::LeftBrace if self.is_behind_left_brace() => {
+                    let span = self.span_here();
+                    self.error(span, "a second `{`", "remove it");
+                    self.bump();
                 }
                 TokenKind::EndOfFile => {
                     self.unclosed(open, room);
@@ -41,7 +72,8 @@ impl Parser<'_> {
                         && self.next_token().newline
                         && self.begins_element(word) =>
                 {
-                    if self.indent(self.next_token()) <= self.indent(open) {
+                    let deeper = |open| self.indent(self.next_token()) > self.indent(open);
+                    if !open.is_some_and(deeper) {
                         self.unclosed(open, room);
                         break;
                     }
@@ -50,18 +82,70 @@ impl Parser<'_> {
                 }
                 _ => match read(self) {
                     Ok(part) => {
-                        parts.push(part);
-                        self.end_statement(room.advice);
+                        if self.end_statement(room.advice) || room.keeps_unfinished {
+                            parts.push(part);
+                        }
                     }
                     Err(_) => self.recover(),
                 },
             }
         }
-        Ok(parts)
+        parts
+    }
+
+    /// The latest token is a `{`.
+    pub(super) fn is_behind_left_brace(&self) -> bool {
+        let latest = self.index.checked_sub(1).map(|index| self.token(index));
+        latest.is_some_and(|token| token.kind == TokenKind::LeftBrace)
+    }
+
+    /// Whether what follows the `}` that comes next can only go on with the statement before it.
+    fn goes_on_behind_brace(&self) -> bool {
+        let behind = self.peek_second();
+        let joins = matches!(
+            behind,
+            TokenKind::If | TokenKind::And | TokenKind::Or | TokenKind::Xor | TokenKind::Equal
+        );
+        (joins || behind.is_comparison() || behind.is_arithmetic())
+            && !self.token(self.index + 1).newline
+    }
+
+    /// Leaves out a `}` and the rest of its statement.
+    fn recover_behind_brace(&mut self) {
+        self.bump();
+        self.recover();
+    }
+
+    /// Where a `{` is missing, goes to what it would have opened: behind a `{` further on in the line, before what a
+    /// `}` in the line closes, or to the next line when that stands deeper. Nothing when none of these is there.
+    fn find_inside(&mut self) -> Option<()> {
+        let mut index = self.index;
+        loop {
+            let token = self.token(index);
+            match token.kind {
+                TokenKind::LeftBrace if !token.newline => {
+                    self.index = index + 1;
+                    return Some(());
+                }
+                TokenKind::RightBrace if !token.newline => return Some(()),
+                TokenKind::EndOfFile => return None,
+                _ if token.newline => {
+                    let header = self.indent(self.token(self.statement));
+                    let deeper = self.indent(token) > header;
+                    self.index = if deeper { index } else { self.index };
+                    return deeper.then_some(());
+                }
+                _ => index += 1,
+            }
+        }
     }
 
     /// Says that a brace is open where the file ends or something else begins, and takes it as closed.
-    fn unclosed(&mut self, open: Token, room: &Room) {
+    fn unclosed(&mut self, open: Option<Token>, room: &Room) {
+        self.block_end = self.index.checked_sub(1);
+        let Some(open) = open else {
+            return;
+        };
         let found = match self.peek() {
             TokenKind::EndOfFile => "the file ends here".to_owned(),
             _ => format!("{} begins something else", self.found()),
@@ -71,7 +155,6 @@ impl Parser<'_> {
             .label(self.span_of(self.next_token()), found)
             .help("close it with `}`");
         self.push(diagnostic);
-        self.block_end = self.index.checked_sub(1);
     }
 
     /// How many blanks begin the line of a token: what stands deeper than the line that opened a brace is more likely
@@ -94,14 +177,15 @@ impl Parser<'_> {
     }
 
     /// Makes sure that a statement ends here, and goes to its end if it does not. Behind a block nothing need stand.
-    pub(super) fn end_statement(&mut self, advice: &str) {
+    pub(super) fn end_statement(&mut self, advice: &str) -> bool {
         let behind_block = self.block_end.is_some_and(|end| end + 1 == self.index);
         if self.at_end() || behind_block {
-            return;
+            return true;
         }
         let help = self.help_for_rest(advice);
         self.expected_help("the end of the line or `;`", help);
         self.recover();
+        false
     }
 
     /// What a user may have meant by what goes on where a statement could end.

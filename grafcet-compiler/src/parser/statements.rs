@@ -28,6 +28,7 @@ impl Parser<'_> {
             name: "this action",
             advice: "separate statements by `;` or a new line",
             is_foreign: |word| word.begins_element(),
+            keeps_unfinished: false,
         };
         let statements = self.room(&room, |parser| parser.statement(place))?;
         Ok(Block {
@@ -176,7 +177,7 @@ impl Parser<'_> {
             return Err(self.expected_help("`:` behind the name of the graph", SHAPE));
         }
         if !self.at(TokenKind::LeftBrace) {
-            return Err(self.expected_help("a set of steps", SHAPE));
+            self.expected_help("a set of steps", SHAPE);
         }
         let situation = self.situation()?;
         let condition = self.condition()?;

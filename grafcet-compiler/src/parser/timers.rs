@@ -36,7 +36,9 @@ fn is_boolean(tree: &Tree) -> bool {
                         | Binary::Modulo
                 )
         }
-        ExpressionKind::Integer(_) | ExpressionKind::Duration(_) => false,
+        ExpressionKind::Integer(_) | ExpressionKind::Duration(_) | ExpressionKind::Unreadable => {
+            false
+        }
     }
 }
 
@@ -57,6 +59,7 @@ impl Parser<'_> {
         let preset = self.preset()?;
         let span = self.span_of(start).to(preset.outer);
         let depth = Tree::deepest([&enable, &preset]);
+        let preset_is_number = matches!(preset.expression.kind, ExpressionKind::Integer(_));
         let kind = ExpressionKind::Timer {
             enable: enable.expression,
             preset: preset.expression,
@@ -67,6 +70,9 @@ impl Parser<'_> {
             }
             kind if kind.is_arithmetic() => {
                 "a preset that is computed stands in parentheses: `T/X3/(a + b)`"
+            }
+            kind if kind.is_comparison() && preset_is_number => {
+                "a division inside an enable stands in parentheses: `T/(a/2 > 3)/2s`"
             }
             kind if kind.is_comparison() => "put the timer in parentheses to compare it",
             _ => return self.bounded(Tree::over(kind, span, depth)),

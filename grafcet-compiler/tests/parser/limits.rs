@@ -2,7 +2,7 @@
 
 use super::{graph, read, right, transition};
 use grafcet_compiler::ast::{Element, Item};
-use grafcet_compiler::parser::{MAX_EXPRESSION_DEPTH, MAX_NESTING, MAX_SYNTAX_ERRORS};
+use grafcet_compiler::parser::{MAX_EXPRESSION_DEPTH, MAX_NESTING, MAX_SYNTAX_ERRORS, MAX_WORD};
 
 const MEGABYTE: usize = 1 << 20;
 
@@ -200,8 +200,9 @@ fn ten_thousand_steps_in_a_thousand_graphs_are_read() {
 
 #[test]
 fn a_long_name_and_a_long_text_are_names_and_texts() {
-    let name = "a".repeat(100_000);
-    let graph = graph(&format!("graph {name} \"{name}\" {{ }}"));
+    let name = "a".repeat(MAX_WORD);
+    let text = "a".repeat(100_000);
+    let graph = graph(&format!("graph {name} \"{text}\" {{ }}"));
     assert_eq!(graph.name.text, name);
 }
 

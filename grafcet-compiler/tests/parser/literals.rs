@@ -36,11 +36,11 @@ fn an_integer_too_long_for_any_type_saturates() {
 }
 
 #[test]
-fn a_minus_directly_before_an_integer_is_one_literal() {
+fn a_minus_directly_before_digits_is_one_literal() {
     assert_eq!(tree("n = -2147483648"), "(= n -2147483648)");
+    assert_eq!(tree("t = -2s"), "(= t -2000ms)");
     assert_eq!(tree("n = a -1"), "(= n (- a 1))");
     assert_eq!(tree("n = -a"), "(= n (- a))");
-    assert_eq!(tree("t = -2s"), "(= t (- 2000ms))");
 }
 
 #[test]

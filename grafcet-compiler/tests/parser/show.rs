@@ -15,6 +15,7 @@ pub fn trigger(trigger: &Trigger) -> String {
 
 pub fn expression(shown: &Expression) -> String {
     match &shown.kind {
+        ExpressionKind::Unreadable => "?".to_owned(),
         ExpressionKind::Bool(value) => value.to_string(),
         ExpressionKind::Integer(value) => value.to_string(),
         ExpressionKind::Duration(ms) => format!("{ms}ms"),
@@ -102,6 +103,7 @@ pub fn constant(shown: &Constant) -> String {
         ConstantKind::Bool(value) => value.to_string(),
         ConstantKind::Name(name, false) => name.text.clone(),
         ConstantKind::Name(name, true) => format!("-{}", name.text),
+        ConstantKind::Unreadable => "?".to_owned(),
     }
 }
 

@@ -4,6 +4,7 @@ use std::io::{self, Write};
 use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
+use grafcet_compiler::Target;
 use grafcet_compiler::diagnostic::Level;
 use grafcet_compiler::render::{render, render_json};
 
@@ -15,6 +16,7 @@ use super::{CommandError, STYLE, Verdict, compile, complain};
 Examples:
   grafcet check graphs/line_switcher.grafcet
   grafcet check --deny warnings graphs/*.grafcet
+  grafcet check --drawing draft.grafcet
   grafcet check --format json press.grafcet | jq .rule
 
 Exit codes: 0 accepted, 1 refused, 2 a file cannot be read.")]
@@ -25,6 +27,9 @@ pub struct Arguments {
     /// Refuse programs with warnings too
     #[arg(long, value_name = "WHAT")]
     deny: Option<Deny>,
+    /// Accept actions and triggers that are only a text (level 1), for graphs that are only drawn
+    #[arg(long)]
+    drawing: bool,
     /// How to say it; json gives one object a line: rule, level, message, file, line, column, end, help
     #[arg(long, value_enum, default_value_t = Format::Human)]
     format: Format,
@@ -46,8 +51,12 @@ pub fn run(arguments: &Arguments) -> Result<Verdict, CommandError> {
     let mut out = anstream::stdout().lock();
     let (mut errors, mut warnings) = (0, 0);
     let mut unreadable = None;
+    let target = match arguments.drawing {
+        true => Target::Drawing,
+        false => Target::Host,
+    };
     for path in &arguments.files {
-        let compilation = match compile(path) {
+        let compilation = match compile(path, target) {
             Ok(compilation) => compilation,
             Err(error) => {
                 if let Some(before) = unreadable.replace(error) {

@@ -173,16 +173,16 @@ impl Suite<'_> {
         directory: Option<&Path>,
     ) -> Result<Result<(), Box<Failure>>, CommandError> {
         let Some(directory) = directory else {
-            return Ok(testing::run(&self.application, test, |_, _| {}));
+            return Ok(testing::run(&self.application, test, |_| {}));
         };
         let path = directory.join(self.trace_name(index, test));
         let mut written = Ok(());
         let traced = File::create(&path).and_then(|file| {
             let unit = &self.application.controller;
             let mut writer = Writer::new(unit, BufWriter::new(file))?;
-            let verdict = testing::run(&self.application, test, |time_ms, images| {
+            let verdict = testing::run(&self.application, test, |simulation| {
                 if written.is_ok() {
-                    written = writer.scan(time_ms, images);
+                    written = writer.scan(simulation.time_ms(), simulation.images());
                 }
             });
             written?;

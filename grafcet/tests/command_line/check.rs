@@ -1,6 +1,6 @@
 //! `grafcet check`.
 
-use crate::desk::desk;
+use crate::desk::{Desk, desk};
 
 #[test]
 fn an_accepted_program_checks_with_0() {
@@ -54,4 +54,45 @@ fn json_is_one_object_a_line() {
         })
         .collect();
     assert_eq!(rules, ["unknown-name", "unused"]);
+}
+
+/// Two levels in one program: what the text of step 2 uses is known to people only.
+const DRAFT: &str = "\
+input start, part
+output DRILL
+graph Draft {
+    initial step 1
+    step 2 { \"drill the part\" }
+    step 3 { DRILL }
+    transition 1: 1 -> 2 when ↑start
+    transition 2: 2 -> 3 when \"the part is there\"
+    transition 3: 3 -> 1
+}
+";
+
+#[test]
+fn texts_alone_are_refused_where_something_runs_and_accepted_in_a_drawing() {
+    let desk = Desk::with(&[("draft.grafcet", DRAFT)]);
+    let said = desk.grafcet(&["check", "draft.grafcet"]);
+    assert_eq!(said.code, Some(1), "{said:?}");
+    assert_eq!(said.out.matches("error[level-1-only]: ").count(), 2);
+    let said = desk.grafcet(&["check", "--drawing", "--deny", "warnings", "draft.grafcet"]);
+    assert_eq!((said.code, said.out.as_str()), (Some(0), ""), "{said:?}");
+    let said = desk.grafcet(&["test", "draft.grafcet"]);
+    assert_eq!(said.code, Some(1), "{said:?}");
+}
+
+#[test]
+fn what_is_wrong_beside_the_texts_is_refused_in_a_drawing_too() {
+    let desk = Desk::with(&[("draft.grafcet", &DRAFT.replace("3 -> 1", "3 -> 4"))]);
+    let said = desk.grafcet(&["check", "--drawing", "draft.grafcet"]);
+    assert_eq!(said.code, Some(1), "{said:?}");
+    assert!(said.out.starts_with("error[unknown-step]: "), "{said:?}");
+    assert!(!said.out.contains("level-1-only"), "{said:?}");
+}
+
+#[test]
+fn a_drawing_without_texts_is_checked_whole() {
+    let said = desk().grafcet(&["check", "--drawing", "warned.grafcet"]);
+    assert!(said.out.starts_with("warning[unused]: "), "{said:?}");
 }

@@ -20,6 +20,7 @@ fn a_missing_file_gets_one_line_and_the_others_are_checked() {
         &["trace", "nowhere.grafcet", "--until", "0"][..],
         &["test", "nowhere.grafcet"],
         &["symbols", "nowhere.grafcet"],
+        &["fmt", "nowhere.grafcet"],
     ] {
         let said = desk.grafcet(arguments);
         assert_eq!(one_line(&said), "error: nowhere.grafcet: no such file");
@@ -81,7 +82,7 @@ fn a_wrong_command_line_gives_2_and_help_gives_examples() {
         let said = desk.grafcet(arguments);
         assert_eq!(said.code, Some(2), "{arguments:?}: {said:?}");
     }
-    for command in ["check", "trace", "test", "symbols"] {
+    for command in ["check", "fmt", "trace", "test", "symbols"] {
         let said = desk.grafcet(&[command, "--help"]);
         assert_eq!(said.code, Some(0));
         assert!(said.out.contains("Example"), "{said:?}");

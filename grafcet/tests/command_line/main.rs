@@ -5,5 +5,6 @@
 mod check;
 mod desk;
 mod every;
+mod fmt;
 mod test;
 mod trace;

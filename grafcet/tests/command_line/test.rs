@@ -38,6 +38,28 @@ fn tests_are_reported_like_cargos() {
 }
 
 #[test]
+fn of_many_graphs_a_failure_shows_those_that_moved_and_those_asked_for() {
+    let desk = desk();
+    let graph = |name: &str| {
+        format!(
+            "graph {name} {{\n initial step 1\n step 2\n transition 1: 1 -> 2 when go{name}\n}}\n"
+        )
+    };
+    let names = ["A", "B", "C", "D"];
+    let inputs: String = names.map(|name| format!("input go{name}\n")).concat();
+    let graphs = names.map(graph).concat();
+    let test = "test \"d\" {\n set goA\n wait 1 scans\n expect S(D) = {2}\n}\n";
+    let program = format!("application many\n{inputs}{graphs}{test}");
+    fs::write(desk.path("many.grafcet"), program).unwrap();
+    let said = desk.grafcet(&["test", "many.grafcet"]);
+    assert!(
+        said.out
+            .contains("time_ms  A  D\n0        1  1\n10       2  1\n"),
+        "{said:?}"
+    );
+}
+
+#[test]
 fn a_filter_chooses_tests_by_their_names() {
     let desk = desk();
     let said = desk.grafcet(&["test", "drill.grafcet", "spins and"]);

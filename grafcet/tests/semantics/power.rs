@@ -58,7 +58,7 @@ fn passes(text: &str) {
     let application = application(text);
     assert!(!application.tests.is_empty(), "a test");
     for test in &application.tests {
-        if let Err(failure) = testing::run(&application, test, |_, _| {}) {
+        if let Err(failure) = testing::run(&application, test, |_| {}) {
             let message = failure.diagnostic().message;
             panic!("{}: {message}\n{}", test.name, failure.details());
         }

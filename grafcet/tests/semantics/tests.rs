@@ -24,7 +24,7 @@ const COUNTER: &str = "
 /// Runs a test of the counter, whose `n` is the number of the latest scan.
 fn run(plants: &str, steps: &str) -> Result<(), Box<testing::Failure>> {
     let application = application(&format!("{COUNTER}\ntest \"it\" {plants} {{\n{steps}\n}}"));
-    testing::run(&application, &application.tests[0], |_, _| {})
+    testing::run(&application, &application.tests[0], |_| {})
 }
 
 #[track_caller]

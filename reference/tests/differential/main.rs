@@ -4,6 +4,7 @@
 //! - `PROGRAMS=20000 cargo test -p grafcet-reference` compares more of them;
 //! - `SEED=17 cargo test -p grafcet-reference` replays one: a failure names its seed.
 
+mod board;
 mod claims;
 mod compare;
 mod generate;
