@@ -316,6 +316,28 @@ fn a_scan_held_up_for_several_periods_serves_the_latest_release() {
 }
 
 #[test]
+fn scans_go_on_beyond_2_to_the_32_ms() {
+    const ROLL_OVER_MS: u64 = 1 << 32;
+    let seen = run(&Case {
+        // Seven weeks in which nothing runs, up to 46 ms before.
+        hog: (18, ROLL_OVER_MS - 64),
+        levels: &[(15, true), (ROLL_OVER_MS + 5, false)],
+        until_ms: ROLL_OVER_MS + 50,
+        ..CASE
+    });
+    let times: Vec<u64> = seen.scans.iter().map(|scan| scan.at_ms).collect();
+    // The releases are whole periods, of which 2^32 is none.
+    let late = ROLL_OVER_MS - 46;
+    let after = (1..=9).map(|k| late + 10 * k);
+    let expected: Vec<u64> = [0, 10, late].into_iter().chain(after).collect();
+    assert_eq!(times, expected);
+    assert!(seen.scans[2..].iter().all(|scan| scan.overruns == 1));
+    assert_eq!(seen.texts().last(), Some(&"Press T2: {2} -> {1}"));
+    let last = seen.lines.last().map(|line| line.time_ms);
+    assert_eq!(last, Some(ROLL_OVER_MS + 14));
+}
+
+#[test]
 fn what_is_shorter_than_the_filter_never_reaches_the_program() {
     let seen = run(&Case {
         filter_ms: 5,

@@ -63,6 +63,7 @@ impl<'a> Machine<'a> {
             ExpressionKind::Bool(value) => Value::Bool(*value),
             ExpressionKind::Integer(value) => Value::Int(literal(*value)),
             ExpressionKind::Duration(ms) => Value::Time(literal(*ms)),
+            ExpressionKind::Unreadable => panic!("a program with errors is not run"),
             ExpressionKind::Ref(reference) => match self.program.resolve(scope.graph, reference) {
                 Named::Variable(name) => self.read(name),
                 Named::Constant(value) => value,

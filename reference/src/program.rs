@@ -131,6 +131,7 @@ impl<'a> Program<'a> {
             ConstantKind::Integer(value) => Value::Int(narrow(*value)),
             ConstantKind::Duration(ms) => Value::Time(narrow(*ms)),
             ConstantKind::Bool(value) => Value::Bool(*value),
+            ConstantKind::Unreadable => panic!("a program with errors is not run"),
             ConstantKind::Name(name, negative) => {
                 let local = self.declared.contains_key(&(graph, name.text.as_str()));
                 let value = self.constant_named(if local { graph } else { "" }, &name.text);

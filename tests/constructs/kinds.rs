@@ -71,6 +71,7 @@ kinds! { syntax:
         Self::Bool(_) => "constant Boolean",
         Self::Name(_, false) => "constant name",
         Self::Name(_, true) => "constant name with a minus sign",
+        Self::Unreadable => "unreadable",
     }
     Element {
         Self::Declaration(_) => "local declaration",
@@ -117,6 +118,7 @@ kinds! { syntax:
         Self::Bool(_) => "Boolean literal",
         Self::Integer(_) => "integer",
         Self::Duration(_) => "duration",
+        Self::Unreadable => "unreadable",
         Self::Ref(_) => "name",
         Self::Situation { equal: true, .. } => "S(G) =",
         Self::Situation { equal: false, .. } => "S(G) <>",

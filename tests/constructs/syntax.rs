@@ -49,8 +49,14 @@ pub const FEATURES: &[&str] = &[
     "instance without a block",
 ];
 
-/// What has no part in an image: claims and machines, and what only people can carry out.
-pub const NOT_IN_AN_IMAGE: &[&str] = &["plant", "property", "test", "trigger of level 1"];
+/// What has no part in an image: claims and machines, what only people can carry out, and what nobody can read.
+pub const NOT_IN_AN_IMAGE: &[&str] = &[
+    "plant",
+    "property",
+    "test",
+    "trigger of level 1",
+    "unreadable",
+];
 
 /// Looks over a text that is known to be well-formed.
 pub fn look(text: &str, seen: &mut Seen) {
@@ -249,7 +255,10 @@ impl Look<'_> {
     fn expression(&mut self, expression: &Expression) {
         self.kind(&expression.kind);
         match &expression.kind {
-            ExpressionKind::Bool(_) | ExpressionKind::Integer(_) | ExpressionKind::Duration(_) => {}
+            ExpressionKind::Bool(_)
+            | ExpressionKind::Integer(_)
+            | ExpressionKind::Duration(_)
+            | ExpressionKind::Unreadable => {}
             ExpressionKind::Ref(name) => {
                 let graph = name.graph.as_ref().map(|graph| graph.text.as_str());
                 self.note("System:", graph == Some("System"));

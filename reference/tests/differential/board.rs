@@ -132,7 +132,7 @@ fn wiring(application: &Application) -> String {
     let mut line = |address: &str| {
         format!(
             "\"{address}\" = \"GP{}\"\n",
-            pins.next().expect("a free pin")
+            pins.next().unwrap_or_else(|| panic!("no pin is free"))
         )
     };
     let (mut inputs, mut outputs) = (String::new(), String::new());
