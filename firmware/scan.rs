@@ -66,8 +66,11 @@ where
             log_served(&served, &schedule);
             self.engine.set_overruns(schedule.faults().overruns);
             self.inputs.read(&mut self.engine);
-            self.engine.scan(served.time_ms);
-            self.finish(&mut retained);
+            if self.engine.scan(served.time_ms) {
+                self.finish(&mut retained);
+            } else {
+                self.board.complete(&self.engine);
+            }
             log_missed(schedule.complete(Instant::now()), &schedule);
         }
     }

@@ -14,7 +14,7 @@
 //! - `evolution`: triggers and firing (phases 2 and 3);
 //! - `hierarchy`: enclosing and forcing (phase 4);
 //! - `action`: events, stored and momentary statements (phases 5 to 7);
-//! - [`images`]: what all of it leaves, for whoever looks;
+//! - `view` and [`images`]: what all of it leaves, for whoever looks;
 //! - [`engine`]: the order of it all, scan 0 included.
 
 #![no_std]
@@ -36,6 +36,7 @@ pub mod program;
 pub mod soundness;
 #[cfg(feature = "alloc")]
 pub mod vectors;
+mod view;
 mod watch;
 
 pub use engine::Engine;

@@ -7,9 +7,10 @@
 
 mod code;
 mod rows;
+mod structure;
 
 use crate::memory::Storage;
-use crate::program::{Bit, Evolution, Graph, Number, Program, Run, Slot, Stamp};
+use crate::program::{Bit, Evolution, Number, Program, Run, Slot, Stamp};
 
 /// The first table that breaks its promise.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -34,9 +35,9 @@ pub enum Unsound {
     Timers,
     /// The code of a condition is cut off, takes what is not there or needs more stack than there is.
     Codes,
-    /// An arm names a transition or a term that is not there.
+    /// An arm names a term that is not there, or a transition that does not leave the step that arms it.
     Arms,
-    /// What a step does beside momentary actions points outside a table.
+    /// What a step does beside momentary actions points outside a table, or row 0 does something.
     Duties,
     /// A bit that is linked lies outside the image.
     Links,
@@ -207,6 +208,8 @@ impl Program<'_> {
             Some(Unsound::Macros)
         } else if !self.transitions_are_sound() {
             Some(Unsound::Transitions)
+        } else if !self.arms_are_of_their_steps() {
+            Some(Unsound::Arms)
         } else if !self.enclosings_are_sound() {
             Some(Unsound::Enclosings)
         } else if !self.orders_are_sound() {
@@ -280,119 +283,6 @@ impl Program<'_> {
             && self.trigger_watches.is_within(self.watches.len())
             && self.round_watches.is_within(self.watches.len())
             && self.action_watches.is_within(self.watches.len())
-    }
-
-    const fn graphs_are_sound(&self) -> bool {
-        let situations = self.layout.situations;
-        let (mut steps, mut transitions, mut word) = (0, 0, situations.start as usize);
-        let mut sources = 0;
-        let mut i = 0;
-        while i < self.graphs.len() {
-            let graph = &self.graphs[i];
-            let shared_out = graph.steps.start as usize == steps
-                && graph.transitions.start as usize == transitions
-                && (graph.words.len == 0 || graph.words.start as usize >= word);
-            if !shared_out || !self.graph_is_sound(graph) {
-                return false;
-            }
-            if graph.sources.len > 0 {
-                if sources >= self.sources.len() || self.sources[sources] as usize != i {
-                    return false;
-                }
-                sources += 1;
-            }
-            steps = graph.steps.end();
-            transitions = graph.transitions.end();
-            if graph.words.len > 0 {
-                word = graph.words.end();
-            }
-            i += 1;
-        }
-        steps == self.steps.len()
-            && sources == self.sources.len()
-            && transitions == self.transitions.len()
-            && word <= situations.end()
-    }
-
-    const fn graph_is_sound(&self, graph: &Graph) -> bool {
-        graph.words.len as usize * 32 >= graph.steps.len as usize
-            && graph.steps.is_within(self.steps.len())
-            && graph.transitions.is_within(self.transitions.len())
-            && graph.sources.is_within(self.arms.len())
-            && self.blocks_are_sound(graph)
-            && graph.enclosings.is_within(self.enclosings.len())
-            && graph.orders.is_within(self.orders.len())
-            && graph.self_orders.is_within(self.orders.len())
-            && graph.watches.is_within(self.watches.len())
-            && graph.self_watches.is_within(self.watches.len())
-            && self.situation_is_sound(graph, graph.initial)
-    }
-
-    /// Whether the words of a graph lead to its own steps, and to all of them that act.
-    const fn blocks_are_sound(&self, graph: &Graph) -> bool {
-        let mut i = 0;
-        while i < graph.words.len as usize {
-            let word = graph.words.start as usize + i - self.layout.situations.start as usize;
-            if word >= self.blocks.len()
-                || self.blocks[word].first as usize != graph.steps.start as usize + i * 32
-            {
-                return false;
-            }
-            i += 1;
-        }
-        let mut i = 0;
-        while i < graph.steps.len as usize {
-            let word = graph.words.start as usize + i / 32 - self.layout.situations.start as usize;
-            let step = &self.steps[graph.steps.start as usize + i];
-            let mask = 1 << (i % 32);
-            let block = &self.blocks[word];
-            if (step.momentary.len > 0) != (block.momentary & mask != 0)
-                || (step.duties > 0) != (block.duties & mask != 0)
-            {
-                return false;
-            }
-            i += 1;
-        }
-        true
-    }
-
-    const fn hierarchy_is_sound(&self) -> bool {
-        if self.hierarchy.len() != self.graphs.len() {
-            return false;
-        }
-        let mut seen = [0u32; 1 << 11];
-        let mut i = 0;
-        while i < self.hierarchy.len() {
-            let graph = self.hierarchy[i] as usize;
-            let mask = 1 << (graph & 31);
-            if graph >= self.graphs.len() || seen[graph >> 5] & mask != 0 {
-                return false;
-            }
-            seen[graph >> 5] |= mask;
-            i += 1;
-        }
-        true
-    }
-
-    /// Whether the words from there are a set of steps of the graph.
-    const fn situation_is_sound(&self, graph: &Graph, start: u16) -> bool {
-        let set = Run {
-            start,
-            len: graph.words.len,
-        };
-        if !set.is_within(self.situations.len()) {
-            return false;
-        }
-        let mut i = 0;
-        while i < set.len as usize {
-            let steps = (graph.steps.len as usize).saturating_sub(i * 32);
-            let unused = if steps >= 32 { 0 } else { u32::MAX << steps };
-            if self.situations[set.start as usize + i] & unused != 0 {
-                return false;
-            }
-            i += 1;
-        }
-        true
     }
 
     const fn bit_is_sound(&self, bit: Bit) -> bool {

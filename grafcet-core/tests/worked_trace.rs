@@ -3,24 +3,19 @@
 use grafcet_core::Engine;
 use grafcet_core::memory::Storage;
 use grafcet_core::program::{
-    Bit, Code, Condition, Edge, Evolution, Graph, Layout, Momentary, NumberRow, Op, Program, Run,
-    Stamp, Step, Term, Transition, Unit, Watch,
+    Arm, Bit, Block, Condition, Crossing, Duties, Edges, Evolution, Graph, Layout, Momentary,
+    NumberRow, Preset, Program, Rest, Run, Stamp, Step, Target, Timer, Transition,
 };
 
 const A: Bit = Bit(32);
-const X1: Bit = Bit(64);
 const X2: Bit = Bit(65);
 const M: Bit = Bit(96);
-const LAST: Bit = Bit(128);
-const RISE: Bit = Bit(129);
 
 const fn run(start: u16, len: u16) -> Run {
     Run { start, len }
 }
 
-const NOTHING: Step = Step {
-    transitions: Run::EMPTY,
-    momentary: Run::EMPTY,
+const NOTHING: Duties = Duties {
     stored: Run::EMPTY,
     on_activation: Run::EMPTY,
     on_deactivation: Run::EMPTY,
@@ -35,12 +30,13 @@ const COUNTER: NumberRow = NumberRow {
     max: i32::MAX,
 };
 
+/// Word 1: inputs; 2: steps; 3: outputs; 4: the inputs in the scan before; 5 and 6: their edges.
 static PROGRAM: Program<'static> = Program {
     period_ms: 10,
     evolution: Evolution::Scan,
     fingerprint: 0,
     layout: Layout {
-        words: 5,
+        words: 7,
         inputs: run(1, 1),
         situations: run(2, 1),
         macros: Run::EMPTY,
@@ -49,8 +45,11 @@ static PROGRAM: Program<'static> = Program {
         outside: Run::EMPTY,
         numbers: 2,
         stamps: 1,
-        stack: 1,
+        stack: 0,
         fired: 1,
+        passed: 0,
+        remembered: 0,
+        standings: 0,
     },
     graphs: &[Graph {
         steps: run(0, 2),
@@ -65,14 +64,26 @@ static PROGRAM: Program<'static> = Program {
         self_watches: Run::EMPTY,
     }],
     hierarchy: &[0],
+    blocks: &[Block {
+        first: 0,
+        momentary: 0b10,
+        duties: 0b10,
+    }],
     steps: &[
         Step {
-            transitions: run(0, 1),
-            ..NOTHING
+            arms: run(0, 1),
+            momentary: Run::EMPTY,
+            duties: 0,
         },
         Step {
-            transitions: run(1, 1),
+            arms: run(1, 1),
             momentary: run(0, 1),
+            duties: 1,
+        },
+    ],
+    duties: &[
+        NOTHING,
+        Duties {
             activated: Some(Stamp(0)),
             ..NOTHING
         },
@@ -80,71 +91,85 @@ static PROGRAM: Program<'static> = Program {
     macros: &[],
     transitions: &[
         Transition {
-            entrance: run(0, 1),
-            exit: run(1, 1),
-            trigger: Condition::All(run(0, 1)),
+            fires: Condition::ALWAYS,
+            crossing: Crossing::Within {
+                leaves: 0b01,
+                enters: 0b10,
+            },
             actions: Run::EMPTY,
         },
         Transition {
-            entrance: run(1, 1),
-            exit: run(0, 1),
-            trigger: Condition::Code(Code { start: 0, len: 2 }),
+            fires: Condition {
+                terms: Run::EMPTY,
+                rest: Rest::Elapsed(0),
+            },
+            crossing: Crossing::Within {
+                leaves: 0b10,
+                enters: 0b01,
+            },
             actions: Run::EMPTY,
         },
     ],
-    links: &[X1, X2, M],
-    armed_by: &[0, 1],
-    situations: &[0b01],
-    enclosings: &[],
-    orders: &[],
-    stored: &[],
-    events: &[],
-    always_stored: Run::EMPTY,
-    momentary: &[Momentary {
-        targets: run(2, 1),
-        condition: Condition::Always,
-    }],
-    always_momentary: Run::EMPTY,
-    dependent: &[],
-    watches: &[Watch::Edge {
-        operand: Condition::All(run(1, 1)),
-        edge: Edge::Rising,
-        last: LAST,
-        result: RISE,
-        from_false: false,
-    }],
-    trigger_watches: run(0, 1),
-    round_watches: Run::EMPTY,
-    action_watches: Run::EMPTY,
-    terms: &[
-        Term {
-            word: 4,
-            mask: 0b10,
-            state: 0b10,
-        },
-        Term {
-            word: 1,
+    links: &[],
+    arms: &[
+        Arm {
+            transition: 0,
+            word: 5,
             mask: 1,
             state: 1,
         },
-    ],
-    ops: &[
-        Op::Constant(20),
-        Op::StepTimer {
-            step: X2,
-            activated: Stamp(0),
-            unit: Unit::Milliseconds,
+        Arm {
+            transition: 1,
+            word: 0,
+            mask: 0,
+            state: 0,
         },
     ],
+    situations: &[0b01],
+    enclosings: &[],
+    orders: &[],
+    sources: &[],
+    lasting_in_steps: false,
+    momentary_varies: false,
+    stores_on_change: false,
+    stored: &[],
+    events: &[],
+    always_stored: Run::EMPTY,
+    targets: &[Target { word: 3, mask: 1 }],
+    momentary: &[Momentary {
+        targets: run(0, 1),
+        condition: Condition::ALWAYS,
+    }],
+    always_momentary: Run::EMPTY,
+    dependent: &[],
+    edges: &[Edges {
+        word: 1,
+        last: 4,
+        rising: 5,
+        falling: 6,
+    }],
+    watches: &[],
+    trigger_watches: Run::EMPTY,
+    round_watches: Run::EMPTY,
+    action_watches: Run::EMPTY,
+    terms: &[],
+    timers: &[Timer {
+        step: X2,
+        activated: Stamp(0),
+        preset: Preset::Constant(20),
+    }],
+    codes: &[],
+    ops: &[],
     numbers: &[COUNTER, COUNTER],
     initially_true: &[],
     retained: &[],
 };
 
+const _: () = grafcet_core::soundness::demand(&PROGRAM);
+
 /// Runs the program over samples of `a`, one a scan, from a time base on; gives (active step, M) for each scan.
 fn trace(samples: &[bool], idle_ms: u64) -> Vec<(usize, bool)> {
-    let mut storage = Storage::<5, 2, 1, 1, 1, 1, 1>::new();
-    let mut engine = Engine::new(&PROGRAM, storage.memory());
+    let mut engine = Engine::new(&PROGRAM, Storage::<7, 2, 1, 0, 1, 0, 1, 0, 0>::new());
     samples
         .iter()
         .enumerate()
@@ -152,7 +177,9 @@ fn trace(samples: &[bool], idle_ms: u64) -> Vec<(usize, bool)> {
             engine.set_input(A, *a);
             match scan {
                 0 => engine.start(),
-                _ => engine.scan(idle_ms + scan as u64 * 10),
+                _ => {
+                    engine.scan(idle_ms + scan as u64 * 10);
+                }
             }
             let active: Vec<_> = engine.active_steps(0).map(|step| step + 1).collect();
             assert_eq!(active.len(), 1, "one token in a loop of two steps");
@@ -186,8 +213,7 @@ fn timers_are_exact_after_any_running_time() {
 
 #[test]
 fn memory_that_is_too_small_reads_as_false_and_never_panics() {
-    let mut storage = Storage::<1, 0, 0, 0, 0, 0, 0>::new();
-    let mut engine = Engine::new(&PROGRAM, storage.memory());
+    let mut engine = Engine::new(&PROGRAM, Storage::<1, 0, 0, 0, 0, 0, 0, 0, 0>::new());
     engine.set_input(A, true);
     engine.start();
     engine.scan(10);

@@ -180,7 +180,7 @@ impl<'m> Lowering<'m> {
             stores_on_change: structure
                 .duties
                 .iter()
-                .any(|row| row.on_activation.len + row.on_deactivation.len > 0)
+                .any(|row| row.on_activation.len > 0 || row.on_deactivation.len > 0)
                 || rows.transitions.iter().any(|row| row.actions.len > 0),
             duties: structure.duties,
             macros: structure.macros,

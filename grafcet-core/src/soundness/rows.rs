@@ -1,7 +1,7 @@
 //! Table by table, row by row.
 
 use crate::program::{
-    Assignment, Bit, Crossing, Forced, Graph, Momentary, Order, Program, Rest, Run, Watch,
+    Assignment, Bit, Duties, Evolution, Forced, Momentary, Order, Program, Rest, Watch,
 };
 
 impl Program<'_> {
@@ -21,21 +21,6 @@ impl Program<'_> {
         let mut i = 0;
         while i < self.links.len() {
             if !self.bit_is_sound(self.links[i]) {
-                return false;
-            }
-            i += 1;
-        }
-        true
-    }
-
-    pub(super) const fn arms_are_sound(&self) -> bool {
-        let mut i = 0;
-        while i < self.arms.len() {
-            let arm = &self.arms[i];
-            if arm.transition as usize >= self.transitions.len()
-                || arm.word >= self.layout.words
-                || arm.state & !arm.mask != 0
-            {
                 return false;
             }
             i += 1;
@@ -64,13 +49,15 @@ impl Program<'_> {
             let row = &self.duties[i];
             let sound = row.stored.is_within(self.stored.len())
                 && (row.stored.len == 0 || self.lasting_in_steps)
-                && (row.on_activation.len + row.on_deactivation.len == 0 || self.stores_on_change)
+                && ((row.on_activation.len == 0 && row.on_deactivation.len == 0)
+                    || self.stores_on_change)
                 && row.on_activation.is_within(self.stored.len())
                 && row.on_deactivation.is_within(self.stored.len())
                 && row.on_event.is_within(self.events.len())
                 && row.orders.is_within(self.orders.len())
                 && self.optional_stamp_is_sound(row.activated);
-            if !sound {
+            // Row 0 is never looked at.
+            if !sound || (i == 0 && does_something(row)) {
                 return false;
             }
             i += 1;
@@ -91,61 +78,6 @@ impl Program<'_> {
                 && row.steps.end() <= steps.end()
                 && self.optional_stamp_is_sound(row.activated);
             if !sound {
-                return false;
-            }
-            i += 1;
-        }
-        true
-    }
-
-    pub(super) const fn transitions_are_sound(&self) -> bool {
-        let mut g = 0;
-        while g < self.graphs.len() {
-            let graph = &self.graphs[g];
-            let mut i = graph.transitions.start as usize;
-            while i < graph.transitions.end() {
-                let transition = &self.transitions[i];
-                let sound = self.crossing_is_sound(graph, transition.crossing)
-                    && self.condition_is_sound(transition.fires)
-                    && transition.actions.is_within(self.stored.len())
-                    && (transition.actions.len == 0 || self.stores_on_change);
-                if !sound {
-                    return false;
-                }
-                i += 1;
-            }
-            g += 1;
-        }
-        true
-    }
-
-    const fn crossing_is_sound(&self, graph: &Graph, crossing: Crossing) -> bool {
-        match crossing {
-            Crossing::Within { leaves, enters } => {
-                let unused = if graph.steps.len >= 32 {
-                    0
-                } else {
-                    u32::MAX << graph.steps.len
-                };
-                graph.words.len <= 1 && (leaves | enters) & unused == 0
-            }
-            Crossing::Across { entrance, exit } => {
-                graph.words.len > 1
-                    && self.links_are_steps_of(graph, entrance)
-                    && self.links_are_steps_of(graph, exit)
-            }
-        }
-    }
-
-    const fn links_are_steps_of(&self, graph: &Graph, links: Run) -> bool {
-        if !links.is_within(self.links.len()) {
-            return false;
-        }
-        let first = graph.words.start as usize * 32;
-        let mut i = links.start as usize;
-        while i < links.end() {
-            let bit = self.links[i].0 as usize;
-            if bit < first || bit - first >= graph.steps.len as usize {
                 return false;
             }
             i += 1;
@@ -299,7 +231,8 @@ impl Program<'_> {
             }
             i += 1;
         }
-        true
+        // The rounds of a scan need edges that are False in the later ones.
+        self.edges.is_empty() || matches!(self.evolution, Evolution::Scan)
     }
 
     pub(super) const fn watches_are_sound(&self) -> bool {
@@ -362,8 +295,9 @@ impl Program<'_> {
         }
     }
 
+    /// Whether the edges of inputs may fill the whole word.
     const fn word_is_stored(&self, word: u16) -> bool {
-        word < 1 << 11 && self.bit_is_stored(Bit(word << 5 | 31))
+        word > 0 && word < 1 << 11 && self.bit_is_stored(Bit(word << 5 | 31))
     }
 
     const fn memory_is_sound(&self, last: Bit, result: Bit) -> bool {
@@ -387,4 +321,13 @@ impl Program<'_> {
         }
         true
     }
+}
+
+const fn does_something(row: &Duties) -> bool {
+    row.stored.len > 0
+        || row.on_activation.len > 0
+        || row.on_deactivation.len > 0
+        || row.on_event.len > 0
+        || row.orders.len > 0
+        || row.activated.is_some()
 }

@@ -4,15 +4,13 @@ extern crate std;
 
 use std::vec::Vec;
 
-use self::good::{FIVE, GOOD, run};
+use self::good::{FIVE, GOOD, all, only, run};
 use super::{Unsound, demand};
 use crate::memory::Storage;
 use crate::program::{
-    Assignment, Bit, Code, Condition, Edge, Forced, Layout, Number, Op, Program, Run, Slot, Stamp,
-    Watch,
+    Assignment, Bit, Code, Condition, Crossing, Edge, Evolution, Forced, Layout, Number, Op,
+    Preset, Program, Rest, Run, Slot, Stamp, Unit, Watch,
 };
-
-mod good;
 
 const _: () = demand(&GOOD);
 
@@ -45,6 +43,18 @@ macro_rules! layout_refused {
     )*};
 }
 
+/// Changes something that is no row of a table and expects the rule that is broken.
+macro_rules! program_refused {
+    ($($($field:ident = $value:expr),+ => $rule:ident;)*) => {$(
+        let program = Program { $($field: $value,)+ ..GOOD };
+        assert_eq!(program.unsoundness(), Some(Unsound::$rule), "{}", stringify!($($field = $value),+));
+    )*};
+}
+
+mod code;
+mod good;
+mod structure;
+
 #[test]
 fn a_good_program_is_sound() {
     assert_eq!(GOOD.unsoundness(), None);
@@ -54,12 +64,12 @@ fn a_good_program_is_sound() {
 #[test]
 fn places_in_the_image_neither_overlap_nor_leave_it() {
     layout_refused! {
-        words = 7 => Layout;
+        words = 9 => Layout;
         inputs = run(0, 1) => Layout;
         inputs = run(2, 1) => Layout;
-        situations = run(3, 2) => Layout;
-        momentary = run(8, 1) => Layout;
-        macros = run(5, 1) => Layout;
+        situations = run(3, 4) => Layout;
+        momentary = run(13, 1) => Layout;
+        macros = run(7, 1) => Layout;
         outside = Run::EMPTY => Layout;
         number_inputs = run(1, 1) => Layout;
         number_inputs = run(2, 3) => Layout;
@@ -68,34 +78,46 @@ fn places_in_the_image_neither_overlap_nor_leave_it() {
 }
 
 #[test]
+fn a_program_has_the_memory_that_its_way_of_working_needs_and_no_more() {
+    layout_refused! {
+        passed = 1 => Layout;
+        remembered = 0 => Layout;
+        remembered = 4 => Layout;
+        standings = 0 => Layout;
+        standings = 2 => Layout;
+        // One block for each word with steps.
+        situations = run(2, 3) => Layout;
+    }
+    let alone = Program {
+        graphs: &[],
+        enclosings: &[],
+        orders: &[],
+        ..GOOD
+    };
+    assert_eq!(alone.unsoundness(), Some(Unsound::Layout));
+    let stable = |passed| Program {
+        evolution: Evolution::Stable,
+        edges: &[],
+        layout: Layout {
+            passed,
+            ..GOOD.layout
+        },
+        ..GOOD
+    };
+    assert_eq!(stable(1).unsoundness(), None);
+    assert_eq!(stable(0).unsoundness(), Some(Unsound::Layout));
+}
+
+#[test]
 fn runs_of_the_program_stay_within_their_tables() {
-    for program in [
-        Program {
-            period_ms: 0,
-            ..GOOD
-        },
-        Program {
-            always_stored: run(2, 1),
-            ..GOOD
-        },
-        Program {
-            always_momentary: run(0, 2),
-            ..GOOD
-        },
-        Program {
-            trigger_watches: run(5, 1),
-            ..GOOD
-        },
-        Program {
-            round_watches: run(0, 6),
-            ..GOOD
-        },
-        Program {
-            action_watches: run(6, 0),
-            ..GOOD
-        },
-    ] {
-        assert_eq!(program.unsoundness(), Some(Unsound::Layout));
+    program_refused! {
+        period_ms = 0 => Layout;
+        always_stored = run(2, 1) => Layout;
+        always_momentary = run(0, 2) => Layout;
+        trigger_watches = run(5, 1) => Layout;
+        round_watches = run(0, 6) => Layout;
+        action_watches = run(6, 0) => Layout;
+        blocks = &GOOD.blocks[..3] => Layout;
     }
 }
 
@@ -109,145 +131,71 @@ fn a_first_value_lies_within_its_limits() {
 }
 
 #[test]
-fn a_conjunction_looks_at_the_image_and_for_what_can_be() {
+fn what_steps_do_stays_within_the_tables() {
     refused! {
-        terms[0].word = 8 => Terms;
-        terms[0].state = 0b100 => Terms;
+        duties[2].stored = run(2, 1) => Duties;
+        duties[2].on_activation = run(2, 1) => Duties;
+        duties[2].on_deactivation = run(2, 1) => Duties;
+        duties[2].on_event = run(1, 1) => Duties;
+        duties[3].orders = run(2, 1) => Duties;
+        duties[1].activated = Some(Stamp(4)) => Duties;
     }
 }
 
 #[test]
-fn graphs_share_out_their_steps_transitions_and_words() {
+fn the_first_row_of_what_steps_do_does_nothing() {
     refused! {
-        graphs[0].steps = run(0, 2) => Graphs;
-        graphs[1].steps = run(2, 2) => Graphs;
-        graphs[1].steps = run(3, 2) => Graphs;
-        graphs[0].transitions = run(0, 1) => Graphs;
-        graphs[1].transitions = run(2, 2) => Graphs;
-        graphs[1].words = run(2, 1) => Graphs;
-        graphs[1].words = run(3, 2) => Graphs;
-        graphs[0].words = run(2, 0) => Graphs;
-        graphs[0].initial = 3 => Graphs;
-        graphs[1].initial = 2 => Graphs;
-        graphs[1].sources = run(2, 2) => Graphs;
-        graphs[1].enclosings = run(1, 1) => Graphs;
-        graphs[1].orders = run(2, 1) => Graphs;
-        graphs[0].self_orders = run(2, 1) => Graphs;
-        graphs[0].watches = run(5, 1) => Graphs;
-        graphs[0].self_watches = run(4, 2) => Graphs;
+        duties[0].stored = run(0, 1) => Duties;
+        duties[0].on_activation = run(0, 1) => Duties;
+        duties[0].on_deactivation = run(0, 1) => Duties;
+        duties[0].on_event = run(0, 1) => Duties;
+        duties[0].orders = run(0, 1) => Duties;
+        duties[0].activated = Some(Stamp(0)) => Duties;
     }
 }
 
 #[test]
-fn the_hierarchy_names_every_graph_once() {
-    refused! {
-        hierarchy[1] = 0 => Hierarchy;
-        hierarchy[1] = 2 => Hierarchy;
+fn what_a_program_says_it_never_does_no_row_of_it_does() {
+    program_refused! {
+        lasting_in_steps = false => Duties;
+        stores_on_change = false => Duties;
+        momentary_varies = false => Momentary;
     }
-    let short = Program {
-        hierarchy: &[0],
-        ..GOOD
-    };
-    assert_eq!(short.unsoundness(), Some(Unsound::Hierarchy));
-}
-
-#[test]
-fn a_step_stays_within_the_tables() {
-    refused! {
-        steps[0].transitions = run(3, 1) => Steps;
-        steps[0].momentary = run(1, 1) => Steps;
-        steps[0].stored = run(2, 1) => Steps;
-        steps[0].on_activation = run(2, 1) => Steps;
-        steps[0].on_deactivation = run(2, 1) => Steps;
-        steps[0].on_event = run(1, 1) => Steps;
-        steps[0].orders = run(2, 1) => Steps;
-        steps[0].activated = Some(Stamp(4)) => Steps;
-    }
-}
-
-#[test]
-fn a_macro_step_stays_within_its_graph() {
-    refused! {
-        macros[0].bit = Bit(64) => Macros;
-        macros[0].graph = 1 => Macros;
-        macros[0].graph = 2 => Macros;
-        macros[0].steps = run(2, 2) => Macros;
-        macros[0].activated = Some(Stamp(4)) => Macros;
-    }
-}
-
-#[test]
-fn a_transition_joins_steps_of_its_own_graph() {
-    refused! {
-        transitions[0].entrance = run(2, 1) => Transitions;
-        transitions[0].exit = run(3, 1) => Transitions;
-        transitions[0].exit = run(4, 1) => Transitions;
-        transitions[0].trigger = Condition::All(run(1, 1)) => Transitions;
-        transitions[0].actions = run(2, 1) => Transitions;
-        links[1] = Bit(67) => Transitions;
-        links[0] = Bit(256) => Links;
-        armed_by[0] = 3 => ArmedBy;
-    }
-}
-
-#[test]
-fn code_gets_by_with_its_stack() {
-    refused! {
-        // It leaves two values, takes one that is not there, needs three.
-        ops[2] = Op::Not => Transitions;
-        ops[1] = Op::Not => Transitions;
-        ops[0] = Op::Number(Number(4)) => Transitions;
-        ops[0] = Op::Bit(Bit(256)) => Transitions;
-        transitions[0].trigger = Condition::Code(Code { start: 0, len: 0 }) => Transitions;
-        transitions[0].trigger = Condition::Code(Code { start: 0, len: 1 << 15 }) => Transitions;
-        transitions[0].trigger = Condition::Code(Code { start: u32::MAX, len: 1 }) => Transitions;
-    }
-    layout_refused! { stack = 1 => Transitions; }
-}
-
-#[test]
-fn an_enclosing_step_gives_a_set_of_steps() {
-    refused! {
-        enclosings[0].step = Bit(128) => Enclosings;
-        enclosings[0].situation = 2 => Enclosings;
-        enclosings[0].situation = 3 => Enclosings;
-        enclosings[0].at_start = Some(2) => Enclosings;
-    }
-}
-
-#[test]
-fn an_order_is_for_a_graph_and_a_set_of_its_steps() {
-    refused! {
-        orders[0].graph = 2 => Orders;
-        orders[0].situation = Forced::Set(2) => Orders;
-        orders[0].situation = Forced::Set(3) => Orders;
-        orders[0].condition = Condition::All(run(0, 2)) => Orders;
-        orders[1].graph = 1 => Orders;
-    }
+    // The `do` block of a transition alone, and the condition of an independent statement alone.
+    let duties = changed(GOOD.duties, |rows| rows[2].on_deactivation = Run::EMPTY);
+    program_refused! { stores_on_change = false, duties = &duties => Transitions; }
+    let momentary = changed(GOOD.momentary, |rows| rows[0].condition = all(0, 1));
+    program_refused! { momentary_varies = false, dependent = &[], momentary = &momentary => Momentary; }
+    let timed = changed(GOOD.momentary, |rows| {
+        rows[0].condition = only(Rest::Elapsed(0));
+    });
+    program_refused! { momentary_varies = false, dependent = &[], momentary = &timed => Momentary; }
 }
 
 #[test]
 fn stored_statements_write_only_what_is_stored() {
-    let bit = |bit| Assignment::Bit(Bit(bit), Condition::Always);
+    let bit = |bit| Assignment::Bit(Bit(bit), Condition::ALWAYS);
     refused! {
         stored[0].assignment = bit(1) => Stored;
         stored[0].assignment = bit(32) => Stored;
         stored[0].assignment = bit(64) => Stored;
-        stored[0].assignment = bit(128) => Stored;
-        stored[0].assignment = bit(160) => Stored;
+        stored[0].assignment = bit(192) => Stored;
         stored[0].assignment = bit(224) => Stored;
-        stored[0].assignment = bit(256) => Stored;
+        stored[0].assignment = bit(288) => Stored;
+        stored[0].assignment = bit(416) => Stored;
+        stored[0].assignment = Assignment::Bit(Bit(256), only(Rest::Code(3))) => Stored;
         stored[1].assignment = Assignment::Number(Number(0), FIVE) => Stored;
         stored[1].assignment = Assignment::Number(Number(2), FIVE) => Stored;
         stored[1].assignment = Assignment::Number(Number(4), FIVE) => Stored;
-        stored[1].condition = Condition::All(run(2, 0)) => Stored;
+        stored[1].assignment = Assignment::Number(Number(3), Code { start: 0, len: 2 }) => Stored;
+        stored[1].condition = all(2, 0) => Stored;
     }
 }
 
 #[test]
 fn an_event_is_a_bit_with_statements() {
     refused! {
-        events[0].event = Bit(256) => Events;
+        events[0].event = Bit(416) => Events;
         events[0].stored = run(2, 1) => Events;
     }
 }
@@ -255,39 +203,70 @@ fn an_event_is_a_bit_with_statements() {
 #[test]
 fn momentary_statements_write_only_what_is_momentary() {
     refused! {
-        momentary[0].targets = run(0, 1) => Momentary;
-        momentary[0].targets = run(4, 1) => Momentary;
-        momentary[0].condition = Condition::All(run(2, 0)) => Momentary;
+        targets[0].word = 0 => Momentary;
+        targets[0].word = 6 => Momentary;
+        targets[0].word = 8 => Momentary;
+        momentary[0].targets = run(1, 1) => Momentary;
+        momentary[0].condition = all(2, 0) => Momentary;
         dependent[0].owner = Some(Bit(32)) => Momentary;
-        dependent[0].statement.targets = run(0, 1) => Momentary;
+        dependent[0].statement.targets = run(0, 2) => Momentary;
     }
+}
+
+#[test]
+fn edges_of_inputs_fill_words_of_their_own() {
+    refused! {
+        edges[0].word = 8 => Watches;
+        edges[0].word = 0 => Watches;
+        edges[0].last = 0 => Watches;
+        edges[0].last = 1 => Watches;
+        edges[0].last = 11 => Watches;
+        edges[0].last = 13 => Watches;
+        edges[0].rising = 2 => Watches;
+        edges[0].rising = 12 => Watches;
+        edges[0].rising = 1 << 11 => Watches;
+        edges[0].falling = 7 => Watches;
+        edges[0].falling = 9 => Watches;
+        edges[0].falling = 10 => Watches;
+    }
+    // Words of the image that are gone.
+    layout_refused! { words = 12 => Watches; }
+}
+
+#[test]
+fn a_stable_evolution_has_no_edges_of_whole_words() {
+    let layout = Layout {
+        passed: 1,
+        ..GOOD.layout
+    };
+    program_refused! { evolution = Evolution::Stable, layout = layout => Watches; }
 }
 
 #[test]
 fn edges_and_timers_remember_within_the_memory() {
     let edge = |last, result| Watch::Edge {
-        operand: Condition::Always,
+        operand: Condition::ALWAYS,
         edge: Edge::Falling,
         last: Bit(last),
         result: Bit(result),
         from_false: true,
     };
     refused! {
-        watches[0] = edge(32, 194) => Watches;
-        watches[0] = edge(193, 64) => Watches;
-        watches[0] = edge(193, 193) => Watches;
-        watches[0] = edge(193, 256) => Watches;
+        watches[0] = edge(32, 258) => Watches;
+        watches[0] = edge(257, 64) => Watches;
+        watches[0] = edge(257, 257) => Watches;
+        watches[0] = edge(257, 416) => Watches;
         watches[2] = Watch::OnDelay {
-            enable: Condition::Always, delay: FIVE, last: Bit(197), risen: Stamp(4), result: Bit(198),
+            enable: Condition::ALWAYS, delay: FIVE, last: Bit(261), risen: Stamp(4), result: Bit(262),
         } => Watches;
         watches[3] = Watch::OffDelay {
-            on: Condition::Always, hold: Code { start: 0, len: 2 }, last: Bit(197), fallen: Stamp(3), result: Bit(198),
+            on: Condition::ALWAYS, hold: Code { start: 0, len: 2 }, last: Bit(261), fallen: Stamp(3), result: Bit(262),
         } => Watches;
         watches[4] = Watch::Value {
-            condition: Condition::Always, gate: Some(Bit(256)), result: Bit(201),
+            condition: Condition::ALWAYS, gate: Some(Bit(416)), result: Bit(265),
         } => Watches;
         watches[4] = Watch::Value {
-            condition: Condition::Always, gate: None, result: Bit(32),
+            condition: Condition::ALWAYS, gate: None, result: Bit(32),
         } => Watches;
     }
 }
@@ -305,14 +284,17 @@ fn first_and_retained_values_are_of_what_can_be_written() {
 #[should_panic(expected = "the hierarchy of the graphs is unsound")]
 fn a_demand_names_the_table() {
     demand(&Program {
-        hierarchy: &[1, 1],
+        hierarchy: &[1, 1, 2],
         ..GOOD
     });
 }
 
 #[test]
 fn a_storage_fits_exactly_its_program() {
-    assert!(Storage::<8, 4, 3, 4, 2, 1, 2>::is_sized_for(&GOOD));
-    assert!(!Storage::<7, 4, 3, 4, 2, 1, 2>::is_sized_for(&GOOD));
-    assert!(!Storage::<8, 4, 3, 4, 2, 1, 1>::is_sized_for(&GOOD));
+    assert!(Storage::<13, 4, 5, 5, 4, 2, 1, 0, 3>::is_sized_for(&GOOD));
+    assert!(!Storage::<12, 4, 5, 5, 4, 2, 1, 0, 3>::is_sized_for(&GOOD));
+    assert!(!Storage::<13, 4, 5, 4, 4, 2, 1, 0, 3>::is_sized_for(&GOOD));
+    assert!(!Storage::<13, 4, 5, 5, 4, 2, 2, 0, 3>::is_sized_for(&GOOD));
+    assert!(!Storage::<13, 4, 5, 5, 4, 2, 1, 1, 3>::is_sized_for(&GOOD));
+    assert!(!Storage::<13, 4, 5, 5, 4, 2, 1, 0, 2>::is_sized_for(&GOOD));
 }

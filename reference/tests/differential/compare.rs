@@ -171,7 +171,7 @@ impl<'a> Comparison<'a> {
                 next_ms = self.reference.period_ms;
             } else {
                 let time_ms = next_ms + (scan.periods - 1) * self.reference.period_ms;
-                engine.scan(time_ms);
+                seen.idle += usize::from(!engine.scan(time_ms));
                 machine.scan(time_ms);
                 next_ms = time_ms + self.reference.period_ms;
             }
@@ -227,6 +227,7 @@ struct Seen {
     active: BTreeSet<(usize, usize)>,
     forced: usize,
     unstable: usize,
+    idle: usize,
 }
 
 impl Seen {
@@ -250,6 +251,7 @@ impl Seen {
             active: self.active.len(),
             forced: self.forced,
             unstable: self.unstable,
+            idle: self.idle,
             with_faults: usize::from(engine.number(Number::ARITHMETIC_FAULTS) > 0),
         }
     }

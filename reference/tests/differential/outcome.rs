@@ -70,6 +70,8 @@ pub struct Tally {
     pub forced: usize,
     /// Scans that did not settle.
     pub unstable: usize,
+    /// Scans in which the engine knew that nothing was new.
+    pub idle: usize,
     /// Programs in which a calculation went wrong.
     pub with_faults: usize,
 }
@@ -84,6 +86,7 @@ impl Tally {
         self.active += other.active;
         self.forced += other.forced;
         self.unstable += other.unstable;
+        self.idle += other.idle;
         self.with_faults += other.with_faults;
     }
 }

@@ -40,6 +40,8 @@ pub fn full_name((graph, name): Qualified<'_>) -> String {
 /// Random scans for a program.
 pub fn stimulus(random: &mut Random, program: &Program<'_>, scans: usize) -> Vec<Scan> {
     let restless = *random.pick(&[10, 30, 50]);
+    // Scans in which nothing is new, so that the engine has idle ones.
+    let calm = *random.pick(&[0, 0, 0, 70]);
     let late = random.chance(30);
     let power_cycles = *random.pick(&[0, 0, 0, 2, 20]);
     let inputs = program.inputs().into_iter().map(|name| (name, restless));
@@ -54,7 +56,8 @@ pub fn stimulus(random: &mut Random, program: &Program<'_>, scans: usize) -> Vec
             periods: 1,
             ..Scan::default()
         };
-        for (name, percent) in &terminals {
+        let calm = random.chance(calm);
+        for (name, percent) in terminals.iter().filter(|_| !calm) {
             if random.chance(*percent) {
                 let value = value(random, program.is_boolean(*name));
                 if latest.insert(*name, value) != Some(value) {

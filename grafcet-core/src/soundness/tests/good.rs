@@ -1,13 +1,30 @@
 //! One good program that uses every table.
 
 use crate::program::{
-    Assignment, Bit, Code, Condition, Dependent, Edge, Enclosing, Event, Evolution, Forced, Graph,
-    Layout, Macro, Momentary, Number, NumberRow, Op, Order, Program, Retained, Run, Slot, Stamp,
-    Step, Stored, Term, Transition, Unit, Watch,
+    Arm, Assignment, Bit, Block, Code, Condition, Crossing, Dependent, Duties, Edge, Edges,
+    Enclosing, Event, Evolution, Forced, Graph, Layout, Macro, Momentary, Number, NumberRow, Op,
+    Order, Preset, Program, Rest, Retained, Run, Slot, Stamp, Step, Stored, Target, Term, Timer,
+    Transition, Unit, Watch,
 };
 
 pub(super) const fn run(start: u16, len: u16) -> Run {
     Run { start, len }
+}
+
+/// A condition without terms.
+pub(super) const fn only(rest: Rest) -> Condition {
+    Condition {
+        terms: Run::EMPTY,
+        rest,
+    }
+}
+
+/// A condition of terms alone.
+pub(super) const fn all(start: u16, len: u16) -> Condition {
+    Condition {
+        terms: run(start, len),
+        rest: Rest::None,
+    }
 }
 
 const FREE: NumberRow = NumberRow {
@@ -17,8 +34,12 @@ const FREE: NumberRow = NumberRow {
 };
 
 const STEP: Step = Step {
-    transitions: Run::EMPTY,
+    arms: Run::EMPTY,
     momentary: Run::EMPTY,
+    duties: 0,
+};
+
+const NOTHING: Duties = Duties {
     stored: Run::EMPTY,
     on_activation: Run::EMPTY,
     on_deactivation: Run::EMPTY,
@@ -40,28 +61,68 @@ const GRAPH: Graph = Graph {
     self_watches: Run::EMPTY,
 };
 
+const fn arm(transition: u16) -> Arm {
+    Arm {
+        transition,
+        word: 0,
+        mask: 0,
+        state: 0,
+    }
+}
+
+const fn block(first: u16) -> Block {
+    Block {
+        first,
+        momentary: 0,
+        duties: 0,
+    }
+}
+
 /// `x < 5`.
-const COMPARED: Condition = Condition::Code(Code { start: 0, len: 3 });
+const COMPARED: Condition = only(Rest::Code(0));
 pub(super) const FIVE: Code = Code { start: 1, len: 1 };
 
-/// Word 0: `System:`; 1: an input; 2 and 3: the steps of two graphs; 4: a macro step; 5: a momentary output;
-/// 6: variables, results and memories; 7: which sample lies outside its range.
+/// Three steps, one step, and 33 steps.
+const STEPS: [Step; 37] = {
+    let mut steps = [STEP; 37];
+    steps[0] = Step {
+        arms: run(0, 1),
+        momentary: run(0, 1),
+        duties: 1,
+    };
+    steps[1] = Step {
+        arms: run(1, 1),
+        momentary: Run::EMPTY,
+        duties: 2,
+    };
+    steps[2].duties = 3;
+    steps[4].arms = run(3, 1);
+    steps[36].arms = run(4, 1);
+    steps
+};
+
+/// Word 0: `System:`; 1: inputs; 2 and 3: the steps of two graphs; 4 and 5: those of a large one; 6: a macro step;
+/// 7: a momentary output; 8: variables, results and memories; 9: which sample lies outside its range; 10 to 12: the
+/// edges of the inputs.
 pub(super) const GOOD: Program<'static> = Program {
     period_ms: 10,
     evolution: Evolution::Scan,
     fingerprint: 1,
     layout: Layout {
-        words: 8,
+        words: 13,
         inputs: run(1, 1),
-        situations: run(2, 2),
-        macros: run(4, 1),
-        momentary: run(5, 1),
+        situations: run(2, 4),
+        macros: run(6, 1),
+        momentary: run(7, 1),
         number_inputs: run(2, 1),
-        outside: run(7, 1),
+        outside: run(9, 1),
         numbers: 4,
         stamps: 4,
         stack: 2,
         fired: 1,
+        passed: 0,
+        remembered: 5,
+        standings: 3,
     },
     graphs: &[
         Graph {
@@ -81,56 +142,105 @@ pub(super) const GOOD: Program<'static> = Program {
             enclosings: run(0, 1),
             ..GRAPH
         },
-    ],
-    hierarchy: &[0, 1],
-    steps: &[
-        Step {
-            transitions: run(0, 1),
-            momentary: run(0, 1),
-            activated: Some(Stamp(0)),
-            ..STEP
+        Graph {
+            steps: run(4, 33),
+            words: run(4, 2),
+            transitions: run(3, 2),
+            initial: 3,
+            ..GRAPH
         },
-        Step {
-            transitions: run(1, 1),
+    ],
+    hierarchy: &[0, 1, 2],
+    blocks: &[
+        Block {
+            first: 0,
+            momentary: 0b001,
+            duties: 0b111,
+        },
+        block(3),
+        block(4),
+        block(36),
+    ],
+    steps: &STEPS,
+    duties: &[
+        NOTHING,
+        Duties {
+            activated: Some(Stamp(0)),
+            ..NOTHING
+        },
+        Duties {
             stored: run(0, 1),
             on_event: run(0, 1),
-            ..STEP
+            on_deactivation: run(1, 1),
+            ..NOTHING
         },
-        Step {
+        Duties {
             orders: run(0, 1),
-            ..STEP
+            ..NOTHING
         },
-        STEP,
     ],
     macros: &[Macro {
-        bit: Bit(128),
+        bit: Bit(192),
         graph: 0,
         steps: run(1, 2),
         activated: None,
     }],
     transitions: &[
         Transition {
-            entrance: run(0, 1),
-            exit: run(1, 1),
-            trigger: Condition::All(run(0, 1)),
+            fires: all(0, 1),
+            crossing: Crossing::Within {
+                leaves: 0b001,
+                enters: 0b010,
+            },
             actions: Run::EMPTY,
         },
         Transition {
-            entrance: run(1, 1),
-            exit: run(0, 1),
-            trigger: COMPARED,
+            fires: COMPARED,
+            crossing: Crossing::Within {
+                leaves: 0b010,
+                enters: 0b101,
+            },
             actions: run(1, 1),
         },
         Transition {
-            entrance: Run::EMPTY,
-            exit: run(2, 1),
-            trigger: Condition::Always,
+            fires: Condition::ALWAYS,
+            crossing: Crossing::Within {
+                leaves: 0,
+                enters: 0b1,
+            },
+            actions: Run::EMPTY,
+        },
+        Transition {
+            fires: only(Rest::Elapsed(0)),
+            crossing: Crossing::Across {
+                entrance: run(0, 1),
+                exit: run(1, 1),
+            },
+            actions: Run::EMPTY,
+        },
+        Transition {
+            fires: only(Rest::Logic(1)),
+            crossing: Crossing::Across {
+                entrance: run(1, 1),
+                exit: run(0, 1),
+            },
             actions: Run::EMPTY,
         },
     ],
-    links: &[Bit(64), Bit(65), Bit(96), Bit(160)],
-    armed_by: &[0, 1, 2],
-    situations: &[0b001, 0b1, 0b101],
+    links: &[Bit(128), Bit(160)],
+    arms: &[
+        Arm {
+            transition: 0,
+            word: 1,
+            mask: 0b100,
+            state: 0b100,
+        },
+        arm(1),
+        arm(2),
+        arm(3),
+        arm(4),
+    ],
+    situations: &[0b001, 0b1, 0b101, 0b1, 0b0],
     enclosings: &[Enclosing {
         step: Bit(65),
         situation: 1,
@@ -141,19 +251,23 @@ pub(super) const GOOD: Program<'static> = Program {
             graph: 1,
             rank: 0,
             situation: Forced::Current,
-            condition: Condition::Always,
+            condition: Condition::ALWAYS,
         },
         Order {
             graph: 0,
             rank: 1,
             situation: Forced::Set(2),
-            condition: Condition::Always,
+            condition: only(Rest::Running(1)),
         },
     ],
+    sources: &[1],
+    lasting_in_steps: true,
+    momentary_varies: true,
+    stores_on_change: true,
     stored: &[
         Stored {
-            assignment: Assignment::Bit(Bit(192), COMPARED),
-            condition: Condition::Always,
+            assignment: Assignment::Bit(Bit(256), COMPARED),
+            condition: Condition::ALWAYS,
         },
         Stored {
             assignment: Assignment::Number(Number(3), FIVE),
@@ -161,56 +275,66 @@ pub(super) const GOOD: Program<'static> = Program {
         },
     ],
     events: &[Event {
-        event: Bit(194),
+        event: Bit(258),
         stored: run(1, 1),
     }],
     always_stored: Run::EMPTY,
+    targets: &[Target {
+        word: 7,
+        mask: 0b11,
+    }],
     momentary: &[Momentary {
-        targets: run(3, 1),
-        condition: Condition::Always,
+        targets: run(0, 1),
+        condition: Condition::ALWAYS,
     }],
     always_momentary: Run::EMPTY,
     dependent: &[Dependent {
         owner: Some(Bit(64)),
         statement: Momentary {
-            targets: run(3, 1),
+            targets: run(0, 1),
             condition: COMPARED,
         },
     }],
+    edges: &[Edges {
+        word: 1,
+        last: 10,
+        rising: 11,
+        falling: 12,
+    }],
     watches: &[
         Watch::Edge {
-            operand: Condition::All(run(0, 1)),
+            operand: all(0, 1),
             edge: Edge::Rising,
-            last: Bit(193),
-            result: Bit(194),
+            last: Bit(257),
+            result: Bit(258),
             from_false: false,
         },
         Watch::Timer {
             enable: COMPARED,
             preset: FIVE,
             unit: Unit::Seconds,
-            last: Bit(195),
+            last: Bit(259),
             risen: Stamp(1),
-            result: Bit(196),
+            result: Bit(260),
         },
         Watch::OnDelay {
-            enable: Condition::Always,
+            enable: Condition::ALWAYS,
             delay: FIVE,
-            last: Bit(197),
+            last: Bit(261),
             risen: Stamp(2),
-            result: Bit(198),
+            result: Bit(262),
         },
         Watch::OffDelay {
-            on: Condition::Always,
+            on: Condition::ALWAYS,
             hold: FIVE,
-            last: Bit(199),
+            last: Bit(263),
             fallen: Stamp(3),
-            result: Bit(200),
+            result: Bit(264),
         },
         Watch::Value {
-            condition: Condition::Code(Code { start: 3, len: 2 }),
+            condition: only(Rest::Code(2)),
             gate: Some(Bit(64)),
-            result: Bit(201),
+            result: Bit(265),
         },
     ],
     trigger_watches: run(0, 2),
@@ -221,10 +345,31 @@ pub(super) const GOOD: Program<'static> = Program {
         mask: 0b11,
         state: 0b01,
     }],
+    timers: &[
+        Timer {
+            step: Bit(64),
+            activated: Stamp(0),
+            preset: Preset::Constant(500),
+        },
+        Timer {
+            step: Bit(192),
+            activated: Stamp(3),
+            preset: Preset::Number(Number(3), Unit::Seconds),
+        },
+    ],
+    codes: &[
+        Code { start: 0, len: 3 },
+        Code { start: 3, len: 4 },
+        Code { start: 7, len: 2 },
+    ],
     ops: &[
         Op::Number(Number(3)),
         Op::Constant(5),
         Op::Less,
+        Op::Bit(Bit(32)),
+        Op::Not,
+        Op::Elapsed(0),
+        Op::Or,
         Op::Constant(2),
         Op::StepTimer {
             step: Bit(64),
@@ -242,10 +387,10 @@ pub(super) const GOOD: Program<'static> = Program {
             max: 9,
         },
     ],
-    initially_true: &[Bit(192)],
+    initially_true: &[Bit(256)],
     retained: &[
         Retained {
-            slot: Slot::Bit(Bit(192)),
+            slot: Slot::Bit(Bit(256)),
             key: 1,
         },
         Retained {

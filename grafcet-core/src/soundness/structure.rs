@@ -1,0 +1,242 @@
+//! Graphs, what arms their transitions, and where these lead.
+
+use crate::program::{Crossing, Graph, Program, Run};
+
+impl Program<'_> {
+    pub(super) const fn graphs_are_sound(&self) -> bool {
+        let situations = self.layout.situations;
+        let (mut steps, mut transitions, mut word) = (0, 0, situations.start as usize);
+        let mut sources = 0;
+        let mut i = 0;
+        while i < self.graphs.len() {
+            let graph = &self.graphs[i];
+            let shared_out = graph.steps.start as usize == steps
+                && graph.transitions.start as usize == transitions
+                && (graph.words.len == 0 || graph.words.start as usize >= word);
+            if !shared_out || !self.graph_is_sound(graph) {
+                return false;
+            }
+            if graph.sources.len > 0 {
+                if sources >= self.sources.len() || self.sources[sources] as usize != i {
+                    return false;
+                }
+                sources += 1;
+            }
+            steps = graph.steps.end();
+            transitions = graph.transitions.end();
+            if graph.words.len > 0 {
+                word = graph.words.end();
+            }
+            i += 1;
+        }
+        steps == self.steps.len()
+            && sources == self.sources.len()
+            && transitions == self.transitions.len()
+            && word <= situations.end()
+    }
+
+    const fn graph_is_sound(&self, graph: &Graph) -> bool {
+        graph.words.len as usize * 32 >= graph.steps.len as usize
+            && graph.steps.is_within(self.steps.len())
+            && graph.transitions.is_within(self.transitions.len())
+            && graph.sources.is_within(self.arms.len())
+            && self.blocks_are_sound(graph)
+            && graph.enclosings.is_within(self.enclosings.len())
+            && graph.orders.is_within(self.orders.len())
+            && graph.self_orders.is_within(self.orders.len())
+            && graph.watches.is_within(self.watches.len())
+            && graph.self_watches.is_within(self.watches.len())
+            && self.situation_is_sound(graph, graph.initial)
+    }
+
+    /// Whether the words of a graph lead to its own steps, and to all of them that act.
+    const fn blocks_are_sound(&self, graph: &Graph) -> bool {
+        let mut i = 0;
+        while i < graph.words.len as usize {
+            let word = graph.words.start as usize + i - self.layout.situations.start as usize;
+            if word >= self.blocks.len()
+                || self.blocks[word].first as usize != graph.steps.start as usize + i * 32
+            {
+                return false;
+            }
+            i += 1;
+        }
+        let mut i = 0;
+        while i < graph.steps.len as usize {
+            let word = graph.words.start as usize + i / 32 - self.layout.situations.start as usize;
+            let step = &self.steps[graph.steps.start as usize + i];
+            let mask = 1 << (i % 32);
+            let block = &self.blocks[word];
+            if (step.momentary.len > 0) != (block.momentary & mask != 0)
+                || (step.duties > 0) != (block.duties & mask != 0)
+            {
+                return false;
+            }
+            i += 1;
+        }
+        true
+    }
+
+    pub(super) const fn hierarchy_is_sound(&self) -> bool {
+        if self.hierarchy.len() != self.graphs.len() {
+            return false;
+        }
+        let mut seen = [0u32; 1 << 11];
+        let mut i = 0;
+        while i < self.hierarchy.len() {
+            let graph = self.hierarchy[i] as usize;
+            let mask = 1 << (graph & 31);
+            if graph >= self.graphs.len() || seen[graph >> 5] & mask != 0 {
+                return false;
+            }
+            seen[graph >> 5] |= mask;
+            i += 1;
+        }
+        true
+    }
+
+    /// Whether the words from there are a set of steps of the graph.
+    pub(super) const fn situation_is_sound(&self, graph: &Graph, start: u16) -> bool {
+        let set = Run {
+            start,
+            len: graph.words.len,
+        };
+        if !set.is_within(self.situations.len()) {
+            return false;
+        }
+        let mut i = 0;
+        while i < set.len as usize {
+            let steps = (graph.steps.len as usize).saturating_sub(i * 32);
+            let unused = if steps >= 32 { 0 } else { u32::MAX << steps };
+            if self.situations[set.start as usize + i] & unused != 0 {
+                return false;
+            }
+            i += 1;
+        }
+        true
+    }
+
+    pub(super) const fn arms_are_sound(&self) -> bool {
+        let mut i = 0;
+        while i < self.arms.len() {
+            let arm = &self.arms[i];
+            if arm.transition as usize >= self.transitions.len()
+                || arm.word >= self.layout.words
+                || arm.state & !arm.mask != 0
+            {
+                return false;
+            }
+            i += 1;
+        }
+        true
+    }
+
+    /// Whether every step arms transitions that leave it, and every graph itself those that leave none.
+    pub(super) const fn arms_are_of_their_steps(&self) -> bool {
+        let mut g = 0;
+        while g < self.graphs.len() {
+            let graph = &self.graphs[g];
+            let mut place = 0;
+            while place < graph.steps.len {
+                let arms = self.steps[graph.steps.start as usize + place as usize].arms;
+                if !self.arms_are_of(graph, arms, Some(place)) {
+                    return false;
+                }
+                place += 1;
+            }
+            if !self.arms_are_of(graph, graph.sources, None) {
+                return false;
+            }
+            g += 1;
+        }
+        true
+    }
+
+    const fn arms_are_of(&self, graph: &Graph, arms: Run, step: Option<u16>) -> bool {
+        let mut i = arms.start as usize;
+        while i < arms.end() {
+            let row = self.arms[i].transition as usize;
+            if !graph.transitions.holds(row)
+                || !self.is_armed_by(graph, self.transitions[row].crossing, step)
+            {
+                return false;
+            }
+            i += 1;
+        }
+        true
+    }
+
+    const fn is_armed_by(&self, graph: &Graph, crossing: Crossing, step: Option<u16>) -> bool {
+        match (crossing, step) {
+            (Crossing::Within { leaves, .. }, Some(step)) => leaves & 1 << step != 0,
+            (Crossing::Within { leaves, .. }, None) => leaves == 0,
+            (Crossing::Across { entrance, .. }, Some(step)) => {
+                let mut i = entrance.start as usize;
+                while i < entrance.end() {
+                    let place = graph.words.start as usize * 32 + step as usize;
+                    if self.links[i].0 as usize == place {
+                        return true;
+                    }
+                    i += 1;
+                }
+                false
+            }
+            (Crossing::Across { entrance, .. }, None) => entrance.len == 0,
+        }
+    }
+
+    pub(super) const fn transitions_are_sound(&self) -> bool {
+        let mut g = 0;
+        while g < self.graphs.len() {
+            let graph = &self.graphs[g];
+            let mut i = graph.transitions.start as usize;
+            while i < graph.transitions.end() {
+                let transition = &self.transitions[i];
+                let sound = self.crossing_is_sound(graph, transition.crossing)
+                    && self.condition_is_sound(transition.fires)
+                    && transition.actions.is_within(self.stored.len())
+                    && (transition.actions.len == 0 || self.stores_on_change);
+                if !sound {
+                    return false;
+                }
+                i += 1;
+            }
+            g += 1;
+        }
+        true
+    }
+
+    const fn crossing_is_sound(&self, graph: &Graph, crossing: Crossing) -> bool {
+        match crossing {
+            Crossing::Within { leaves, enters } => {
+                let unused = if graph.steps.len >= 32 {
+                    0
+                } else {
+                    u32::MAX << graph.steps.len
+                };
+                graph.words.len <= 1 && (leaves | enters) & unused == 0
+            }
+            Crossing::Across { entrance, exit } => {
+                graph.words.len > 1
+                    && self.links_are_steps_of(graph, entrance)
+                    && self.links_are_steps_of(graph, exit)
+            }
+        }
+    }
+
+    const fn links_are_steps_of(&self, graph: &Graph, links: Run) -> bool {
+        if !links.is_within(self.links.len()) {
+            return false;
+        }
+        let first = graph.words.start as usize * 32;
+        let mut i = links.start as usize;
+        while i < links.end() {
+            let bit = self.links[i].0 as usize;
+            if bit < first || bit - first >= graph.steps.len as usize {
+                return false;
+            }
+            i += 1;
+        }
+        true
+    }
+}

@@ -1,0 +1,144 @@
+//! Graphs, their steps and transitions, and the hierarchy.
+
+use super::*;
+
+#[test]
+fn graphs_share_out_their_steps_transitions_and_words() {
+    refused! {
+        graphs[0].steps = run(0, 2) => Graphs;
+        graphs[1].steps = run(2, 2) => Graphs;
+        graphs[1].steps = run(3, 2) => Graphs;
+        graphs[2].steps = run(4, 34) => Graphs;
+        graphs[0].transitions = run(0, 1) => Graphs;
+        graphs[1].transitions = run(2, 2) => Graphs;
+        graphs[1].words = run(2, 1) => Graphs;
+        graphs[1].words = run(3, 2) => Graphs;
+        graphs[0].words = run(2, 0) => Graphs;
+        graphs[2].words = run(4, 1) => Graphs;
+        graphs[2].words = run(4, 3) => Graphs;
+        graphs[0].initial = 5 => Graphs;
+        graphs[1].initial = 2 => Graphs;
+        graphs[2].initial = 1 => Graphs;
+        graphs[2].initial = 4 => Graphs;
+        graphs[1].sources = run(4, 2) => Graphs;
+        graphs[1].enclosings = run(1, 1) => Graphs;
+        graphs[1].orders = run(2, 1) => Graphs;
+        graphs[0].self_orders = run(2, 1) => Graphs;
+        graphs[0].watches = run(5, 1) => Graphs;
+        graphs[0].self_watches = run(4, 2) => Graphs;
+    }
+}
+
+#[test]
+fn the_graphs_with_transitions_without_entrance_are_known() {
+    refused! {
+        graphs[1].sources = Run::EMPTY => Graphs;
+        graphs[0].sources = run(0, 1) => Graphs;
+        sources[0] = 0 => Graphs;
+        sources[0] = 3 => Graphs;
+    }
+    program_refused! {
+        sources = &[] => Graphs;
+        sources = &[1, 1] => Graphs;
+    }
+}
+
+#[test]
+fn a_word_of_a_situation_leads_to_the_steps_in_it_and_to_all_that_act() {
+    refused! {
+        blocks[0].first = 1 => Graphs;
+        blocks[3].first = 35 => Graphs;
+        blocks[0].momentary = 0b000 => Graphs;
+        blocks[0].momentary = 0b011 => Graphs;
+        blocks[0].duties = 0b011 => Graphs;
+        blocks[1].duties = 0b1 => Graphs;
+        steps[36].duties = 1 => Graphs;
+        steps[36].momentary = run(0, 1) => Graphs;
+    }
+}
+
+#[test]
+fn the_hierarchy_names_every_graph_once() {
+    refused! {
+        hierarchy[1] = 0 => Hierarchy;
+        hierarchy[1] = 3 => Hierarchy;
+    }
+    program_refused! { hierarchy = &[0, 1] => Hierarchy; }
+}
+
+#[test]
+fn an_arm_is_of_a_transition_that_leaves_its_step() {
+    refused! {
+        arms[0].transition = 5 => Arms;
+        arms[0].word = 13 => Arms;
+        arms[0].state = 0b101 => Arms;
+        // Of another graph, of another step, of a step although it leaves none, of none although it leaves one.
+        arms[0].transition = 2 => Arms;
+        arms[0].transition = 1 => Arms;
+        arms[2].transition = 3 => Arms;
+        arms[3].transition = 4 => Arms;
+        steps[0].arms = run(0, 2) => Arms;
+        steps[3].arms = run(2, 1) => Arms;
+        transitions[2].crossing = Crossing::Within { leaves: 1, enters: 1 } => Arms;
+        transitions[3].crossing = Crossing::Across { entrance: Run::EMPTY, exit: run(0, 1) } => Arms;
+    }
+}
+
+#[test]
+fn a_step_stays_within_the_tables() {
+    refused! {
+        steps[0].arms = run(5, 1) => Steps;
+        steps[0].momentary = run(1, 1) => Steps;
+        steps[0].duties = 4 => Steps;
+    }
+}
+
+#[test]
+fn a_macro_step_stays_within_its_graph() {
+    refused! {
+        macros[0].bit = Bit(64) => Macros;
+        macros[0].graph = 1 => Macros;
+        macros[0].graph = 3 => Macros;
+        macros[0].steps = run(2, 2) => Macros;
+        macros[0].activated = Some(Stamp(4)) => Macros;
+    }
+}
+
+#[test]
+fn a_transition_joins_steps_of_its_own_graph() {
+    refused! {
+        transitions[0].crossing = Crossing::Within { leaves: 0b1001, enters: 0 } => Transitions;
+        transitions[0].crossing = Crossing::Within { leaves: 0b0001, enters: 0b1000 } => Transitions;
+        transitions[2].crossing = Crossing::Within { leaves: 0, enters: 0b10 } => Transitions;
+        // A word or links, as the graph has one word or more.
+        transitions[0].crossing = Crossing::Across { entrance: run(0, 1), exit: run(1, 1) } => Transitions;
+        transitions[3].crossing = Crossing::Within { leaves: 1, enters: 1 } => Transitions;
+        transitions[3].crossing = Crossing::Across { entrance: run(0, 1), exit: run(2, 1) } => Transitions;
+        transitions[3].crossing = Crossing::Across { entrance: run(0, 3), exit: run(1, 1) } => Transitions;
+        links[1] = Bit(161) => Transitions;
+        links[1] = Bit(96) => Transitions;
+        links[0] = Bit(416) => Links;
+        transitions[0].actions = run(2, 1) => Transitions;
+    }
+}
+
+#[test]
+fn an_enclosing_step_gives_a_set_of_steps() {
+    refused! {
+        enclosings[0].step = Bit(192) => Enclosings;
+        enclosings[0].situation = 2 => Enclosings;
+        enclosings[0].situation = 5 => Enclosings;
+        enclosings[0].at_start = Some(2) => Enclosings;
+    }
+}
+
+#[test]
+fn an_order_is_for_a_graph_and_a_set_of_its_steps() {
+    refused! {
+        orders[0].graph = 3 => Orders;
+        orders[0].situation = Forced::Set(2) => Orders;
+        orders[0].situation = Forced::Set(5) => Orders;
+        orders[0].condition = all(0, 2) => Orders;
+        orders[1].graph = 1 => Orders;
+    }
+}
