@@ -1,4 +1,10 @@
 //! Rules over the model (`language.md`, "Static rules") that need more than one place of the text.
+//!
+//! One module for each kind of evidence: what actions write, constants, the hierarchy, names, structure, use. The rules
+//! of [`Rule::DECIDED`](crate::diagnostic::Rule::DECIDED), and what `reach` and `constants` leave open of
+//! `unreachable-step`, `never-fires` and `always-fires`, need a search through all runs instead. Such a module stands
+//! beside these and speaks from [`warnings`], of a settled model only; [`hierarchy`] and [`reach`] already know who
+//! rules whom and which transitions enter what.
 
 mod actions;
 mod constants;

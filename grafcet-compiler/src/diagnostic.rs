@@ -149,6 +149,20 @@ rules! {
     TransientAction "transient-action" Warning;
 }
 
+impl Rule {
+    /// The rules that only a search through all runs decides. No check raises them yet; their silence proves nothing.
+    pub const DECIDED: &[Rule] = &[
+        Rule::ForcingConflict,
+        Rule::EnclosedTwice,
+        Rule::UnstableLoop,
+        Rule::NotExclusive,
+        Rule::WriteRace,
+        Rule::NeverArmed,
+        Rule::TokenLost,
+        Rule::TransientAction,
+    ];
+}
+
 /// A second place that a diagnostic shows, with what is to be seen there.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Label {

@@ -56,9 +56,14 @@ pub(crate) fn integer(text: &str) -> Result<i64, BadLiteral> {
     let mut value = 0_i64;
     for c in digits.chars().filter(|&c| c != '_') {
         let Some(digit) = c.to_digit(base) else {
-            let digits = if base == 10 { "decimal" } else { "base" };
+            let digit = match base {
+                2 => "a binary digit",
+                8 => "an octal digit",
+                10 => "a digit",
+                _ => "a hexadecimal digit",
+            };
             return bad(
-                format!("`{c}` is not a {digits} digit of `{}`", shortened(text)),
+                format!("`{c}` in `{}` is not {digit}", shortened(text)),
                 HELP,
             );
         };

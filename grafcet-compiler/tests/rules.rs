@@ -11,18 +11,6 @@ use grafcet_compiler::diagnostic::Rule;
 use grafcet_compiler::render::{Style, render};
 use grafcet_compiler::{Compilation, Target, compile};
 
-/// Rules that need the verifier, and come with it.
-const DECIDED: &[Rule] = &[
-    Rule::ForcingConflict,
-    Rule::EnclosedTwice,
-    Rule::UnstableLoop,
-    Rule::NotExclusive,
-    Rule::WriteRace,
-    Rule::NeverArmed,
-    Rule::TokenLost,
-    Rule::TransientAction,
-];
-
 fn directory() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/rules")
 }
@@ -92,7 +80,7 @@ macro_rules! rules {
 
         #[test]
         fn every_rule_is_held_by_programs() {
-            let held: BTreeSet<Rule> = [$(Rule::$rule,)*].into_iter().chain(DECIDED.iter().copied()).collect();
+            let held: BTreeSet<Rule> = [$(Rule::$rule,)*].into_iter().chain(Rule::DECIDED.iter().copied()).collect();
             let all: BTreeSet<Rule> = Rule::ALL.iter().copied().collect();
             assert_eq!(held, all);
         }

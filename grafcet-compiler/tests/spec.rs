@@ -225,4 +225,5 @@ chapters! {
     claims
     warnings
     recovery
+    wide
 }

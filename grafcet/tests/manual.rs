@@ -62,6 +62,18 @@ fn every_rule_of_the_language_is_in_its_table() {
 }
 
 #[test]
+fn the_manual_says_of_every_rule_that_is_not_decided_that_it_is_not() {
+    let page = fs::read_to_string(root().join("language.md")).expect("the page can be read");
+    let (_, section) = page
+        .split_once("### Not decided yet")
+        .expect("there is such a section");
+    let rows = section.lines().filter_map(|line| line.strip_prefix("| `"));
+    let named: BTreeSet<&str> = rows.filter_map(|row| row.split('`').next()).collect();
+    let decided: BTreeSet<&str> = Rule::DECIDED.iter().map(|rule| rule.name()).collect();
+    assert_eq!(named, decided);
+}
+
+#[test]
 fn every_decision_in_the_manual_names_tests_that_there_are() {
     let page = fs::read_to_string(root().join("semantics.md")).expect("the page can be read");
     let repository = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");

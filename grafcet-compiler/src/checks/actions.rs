@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::diagnostic::{Diagnostic, Rule};
-use crate::model::{Action, Causality, GraphId, Model, VariableId};
+use crate::model::{Action, Causality, GraphId, Model, Momentary, VariableId};
 use crate::source::{Sources, Span};
 
 /// Checks the actions of the controller and of each plant.
@@ -133,12 +133,19 @@ fn ring(
         let name = &model[*read].name;
         let message =
             format!("the momentary action on `{name}` depends on `{name}` within one scan");
-        let condition = first
-            .condition
-            .as_ref()
-            .map_or("..", |condition| sources.text(condition.span));
-        return Diagnostic::new(Rule::CausalityLoop, first.span, message)
-            .help(format!("store it: `{name} = {condition}`"));
+        let writes = |statement: &&Momentary| {
+            let mut targets = statement.targets.iter();
+            targets.any(|target| target.variable == *read)
+        };
+        let all = causality.statements.iter().map(|it| it.statement);
+        let help = if all.filter(writes).count() > 1 {
+            format!("store it, and gather what sets it in one statement: `{name} = .. OR ..`")
+        } else {
+            let condition = first.condition.as_ref();
+            let condition = condition.map_or("..", |condition| sources.text(condition.span));
+            format!("store it: `{name} = {condition}`")
+        };
+        return Diagnostic::new(Rule::CausalityLoop, first.span, message).help(help);
     }
     let names: Vec<&str> = ring
         .iter()

@@ -30,7 +30,11 @@ fn constant_trigger(model: &Model, transition: &Transition) -> Option<Diagnostic
         (
             Rule::NeverFires,
             format!("the trigger of transition {number} is always False: it never fires"),
-            "leave the transition out, or mend its trigger",
+            if trigger.contains(|it| matches!(it.kind, ExpressionKind::System(System::FirstScan))) {
+                "no transition fires in the first scan: write what happens then as the action of an initial step"
+            } else {
+                "leave the transition out, or mend its trigger"
+            },
         )
     };
     Some(Diagnostic::new(rule, trigger.span, message).help(help))

@@ -50,7 +50,7 @@ enum Format {
 pub fn run(arguments: &Arguments) -> Result<Verdict, CommandError> {
     let mut out = anstream::stdout().lock();
     let (mut errors, mut warnings) = (0, 0);
-    let mut unreadable = None;
+    let (mut unreadable, mut checked) = (None, false);
     let target = match arguments.drawing {
         true => Target::Drawing,
         false => Target::Host,
@@ -65,6 +65,7 @@ pub fn run(arguments: &Arguments) -> Result<Verdict, CommandError> {
                 continue;
             }
         };
+        checked = true;
         for diagnostic in &compilation.diagnostics {
             match diagnostic.level() {
                 Level::Error => errors += 1,
@@ -84,7 +85,7 @@ pub fn run(arguments: &Arguments) -> Result<Verdict, CommandError> {
             )?,
         }
     }
-    if arguments.format == Format::Human {
+    if arguments.format == Format::Human && checked {
         summarise(&mut anstream::stderr(), errors, warnings)?;
     }
     match unreadable {
