@@ -84,7 +84,7 @@ fn assert_worth_something(tally: Tally) {
         tally.active * 4 > tally.steps * 3,
         "most steps become active: {tally:?}"
     );
-    assert!(tally.idle * 40 > tally.scans, "scans are idle: {tally:?}");
+    assert!(tally.idle * 60 > tally.scans, "scans are idle: {tally:?}");
     assert!(tally.forced > tally.programs, "orders are given: {tally:?}");
     assert!(
         tally.with_faults * 10 > tally.programs,
