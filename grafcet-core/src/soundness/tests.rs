@@ -4,12 +4,12 @@ extern crate std;
 
 use std::vec::Vec;
 
-use self::good::{FIVE, GOOD, all, only, run};
+use self::good::{FIVE, GOOD, across, all, only, run, within};
 use super::{Unsound, demand};
 use crate::memory::Storage;
 use crate::program::{
-    Assignment, Bit, Code, Condition, Crossing, Edge, Evolution, Forced, Layout, Number, Op,
-    Preset, Program, Rest, Run, Slot, Stamp, Unit, Watch,
+    Assignment, Bit, Code, Condition, Edge, Evolution, Forced, Layout, Number, Op, Preset, Program,
+    Rest, Run, Slot, Stamp, Unit, Watch,
 };
 
 const _: () = demand(&GOOD);

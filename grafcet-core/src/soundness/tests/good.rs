@@ -78,6 +78,22 @@ const fn block(first: u16) -> Block {
     }
 }
 
+const fn transition(fires: Condition, crossing: Crossing, actions: Run) -> Transition {
+    Transition {
+        fires,
+        crossing,
+        actions,
+    }
+}
+
+pub(super) const fn within(leaves: u32, enters: u32) -> Crossing {
+    Crossing::Within { leaves, enters }
+}
+
+pub(super) const fn across(entrance: Run, exit: Run) -> Crossing {
+    Crossing::Across { entrance, exit }
+}
+
 /// `x < 5`.
 const COMPARED: Condition = only(Rest::Code(0));
 pub(super) const FIVE: Code = Code { start: 1, len: 1 };
@@ -186,46 +202,19 @@ pub(super) const GOOD: Program<'static> = Program {
         activated: None,
     }],
     transitions: &[
-        Transition {
-            fires: all(0, 1),
-            crossing: Crossing::Within {
-                leaves: 0b001,
-                enters: 0b010,
-            },
-            actions: Run::EMPTY,
-        },
-        Transition {
-            fires: COMPARED,
-            crossing: Crossing::Within {
-                leaves: 0b010,
-                enters: 0b101,
-            },
-            actions: run(1, 1),
-        },
-        Transition {
-            fires: Condition::ALWAYS,
-            crossing: Crossing::Within {
-                leaves: 0,
-                enters: 0b1,
-            },
-            actions: Run::EMPTY,
-        },
-        Transition {
-            fires: only(Rest::Elapsed(0)),
-            crossing: Crossing::Across {
-                entrance: run(0, 1),
-                exit: run(1, 1),
-            },
-            actions: Run::EMPTY,
-        },
-        Transition {
-            fires: only(Rest::Logic(1)),
-            crossing: Crossing::Across {
-                entrance: run(1, 1),
-                exit: run(0, 1),
-            },
-            actions: Run::EMPTY,
-        },
+        transition(all(0, 1), within(0b001, 0b010), Run::EMPTY),
+        transition(COMPARED, within(0b010, 0b101), run(1, 1)),
+        transition(Condition::ALWAYS, within(0, 0b1), Run::EMPTY),
+        transition(
+            only(Rest::Elapsed(0)),
+            across(run(0, 1), run(1, 1)),
+            Run::EMPTY,
+        ),
+        transition(
+            only(Rest::Logic(1)),
+            across(run(1, 1), run(0, 1)),
+            Run::EMPTY,
+        ),
     ],
     links: &[Bit(128), Bit(160)],
     arms: &[

@@ -79,8 +79,8 @@ fn an_arm_is_of_a_transition_that_leaves_its_step() {
         arms[3].transition = 4 => Arms;
         steps[0].arms = run(0, 2) => Arms;
         steps[3].arms = run(2, 1) => Arms;
-        transitions[2].crossing = Crossing::Within { leaves: 1, enters: 1 } => Arms;
-        transitions[3].crossing = Crossing::Across { entrance: Run::EMPTY, exit: run(0, 1) } => Arms;
+        transitions[2].crossing = within(1, 1) => Arms;
+        transitions[3].crossing = across(Run::EMPTY, run(0, 1)) => Arms;
     }
 }
 
@@ -107,14 +107,14 @@ fn a_macro_step_stays_within_its_graph() {
 #[test]
 fn a_transition_joins_steps_of_its_own_graph() {
     refused! {
-        transitions[0].crossing = Crossing::Within { leaves: 0b1001, enters: 0 } => Transitions;
-        transitions[0].crossing = Crossing::Within { leaves: 0b0001, enters: 0b1000 } => Transitions;
-        transitions[2].crossing = Crossing::Within { leaves: 0, enters: 0b10 } => Transitions;
+        transitions[0].crossing = within(0b1001, 0) => Transitions;
+        transitions[0].crossing = within(0b0001, 0b1000) => Transitions;
+        transitions[2].crossing = within(0, 0b10) => Transitions;
         // A word or links, as the graph has one word or more.
-        transitions[0].crossing = Crossing::Across { entrance: run(0, 1), exit: run(1, 1) } => Transitions;
-        transitions[3].crossing = Crossing::Within { leaves: 1, enters: 1 } => Transitions;
-        transitions[3].crossing = Crossing::Across { entrance: run(0, 1), exit: run(2, 1) } => Transitions;
-        transitions[3].crossing = Crossing::Across { entrance: run(0, 3), exit: run(1, 1) } => Transitions;
+        transitions[0].crossing = across(run(0, 1), run(1, 1)) => Transitions;
+        transitions[3].crossing = within(1, 1) => Transitions;
+        transitions[3].crossing = across(run(0, 1), run(2, 1)) => Transitions;
+        transitions[3].crossing = across(run(0, 3), run(1, 1)) => Transitions;
         links[1] = Bit(161) => Transitions;
         links[1] = Bit(96) => Transitions;
         links[0] = Bit(416) => Links;
