@@ -1,7 +1,7 @@
 //! Tables as Rust source: what is written is what stands in the image.
 
 use grafcet_compiler::emit;
-use grafcet_core::program::Names;
+use grafcet_core::program::{Compiled, Names};
 
 #[path = "emit/every_row.rs"]
 mod every_row;
@@ -36,14 +36,22 @@ fn the_source_has_the_value_of_the_tables() {
 }
 
 #[test]
+fn the_type_for_an_engine_of_its_own_knows_the_program() {
+    assert!(std::ptr::eq(
+        written::Application.program(),
+        &raw const written::PROGRAM
+    ));
+}
+
+#[test]
 fn the_source_names_everything() {
     assert_eq!(
         written::NAMES,
         Names {
             application: "every_row",
-            graphs: &["G", "H"],
-            steps: &["1", "E2", "S3", "1"],
-            transitions: &[1, 2, 7],
+            graphs: &["G", "H", "I"],
+            steps: &["1", "E2", "S3", "1", "1"],
+            transitions: &[1, 2, 7, 8, 9],
             retained: &["Locked", "G:température"],
         }
     );

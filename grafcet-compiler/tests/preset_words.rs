@@ -7,7 +7,7 @@ use std::fs;
 
 use grafcet_compiler::application::Application;
 use grafcet_compiler::{Target, compile, emit};
-use grafcet_core::program::{Bit, Condition, Slot, Term};
+use grafcet_core::program::{Arm, Bit, Condition, Crossing, Slot};
 
 /// The presets of one step, as table 1 has them.
 struct Presets {
@@ -58,16 +58,20 @@ fn the_trigger_behind_each_step_is_its_mask_and_state_word() {
     let steps = &application.controller.symbols.graphs[0].steps;
     for (step, presets) in TABLE_1.iter().enumerate() {
         let transition = &tables.transitions[step];
-        assert_eq!(transition.entrance.of(&tables.links), [steps[step].bit]);
-        let Condition::All(terms) = transition.trigger else {
-            panic!("step {step}: {:?}", transition.trigger);
+        let Crossing::Within { leaves, .. } = transition.crossing else {
+            panic!("step {step}: {:?}", transition.crossing);
         };
-        let input_word = Term {
+        assert_eq!(leaves, steps[step].bit.mask());
+        // All of the trigger is the first term, which the step looks at.
+        assert_eq!(transition.fires, Condition::ALWAYS, "step {step}");
+        let input_word = Arm {
+            transition: step as u16,
             word: tables.layout.inputs.start,
             mask: presets.mask,
             state: presets.state,
         };
-        assert_eq!(terms.of(&tables.terms), [input_word], "step {step}");
+        let armed = tables.steps[step].arms.of(&tables.arms);
+        assert_eq!(armed, [input_word], "step {step}");
     }
 }
 
@@ -76,15 +80,21 @@ fn the_source_of_the_image_has_these_four_words_and_no_others() {
     let application = four_steps();
     let source = emit::source(emit::program(&application)).unwrap();
     let packed: String = source.split_whitespace().collect();
-    let (_, behind) = packed.split_once("terms:&[").unwrap();
-    let (terms, _) = behind.split_once(']').unwrap();
+    let rows_of = |table: &str| {
+        let (_, behind) = packed.split_once(&format!(",{table}:&[")).unwrap();
+        let (rows, _) = behind.split_once(']').unwrap();
+        rows.trim_end_matches(',').replace(",}", "}")
+    };
     let word = application.controller.tables.layout.inputs.start;
-    let row = |it: &Presets| format!("Term{{word:{word},mask:{},state:{}}}", it.mask, it.state);
-    let rows: Vec<String> = TABLE_1.iter().map(row).collect();
-    assert_eq!(
-        terms.trim_end_matches(',').replace(",}", "}"),
-        rows.join(",")
-    );
+    let row = |(step, it): (usize, &Presets)| {
+        let (mask, state) = (it.mask, it.state);
+        format!("Arm{{transition:{step},word:{word},mask:{mask},state:{state}}}")
+    };
+    let rows: Vec<String> = TABLE_1.iter().enumerate().map(row).collect();
+    assert_eq!(rows_of("arms"), rows.join(","));
+    for empty in ["terms", "codes", "ops", "timers"] {
+        assert_eq!(rows_of(empty), "", "{empty}");
+    }
 }
 
 #[test]
@@ -109,9 +119,11 @@ fn the_outputs_of_each_step_make_its_output_word() {
         let mut output = 0;
         for statement in statements {
             // As long as the step is active, and under no other condition.
-            assert_eq!(statement.condition, Condition::Always);
-            for bit in statement.targets.of(&tables.links) {
-                output |= word_bit(&application, *bit);
+            assert_eq!(statement.condition, Condition::ALWAYS);
+            for target in statement.targets.of(&tables.targets) {
+                let places = (0..32).filter(|place| target.mask & 1 << place != 0);
+                let bits = places.map(|place| Bit(target.word * 32 + place));
+                output |= bits.fold(0, |word, bit| word | word_bit(&application, bit));
             }
         }
         assert_eq!(output, presets.output, "step {step}: {output:#018b}");

@@ -1,19 +1,15 @@
-//! Graphs, steps, transitions, enclosing: the rows with the structure.
+//! Transitions, forcing, enclosing: what joins steps and graphs.
 
 use std::collections::BTreeMap;
 
-use grafcet_core::program::{
-    Arm, Block, Crossing, Duties, Enclosing, Forced, Graph, Macro, Order, Run, Stamp, Step, Term,
-    Transition,
-};
+use grafcet_core::program::{Crossing, Enclosing, Forced, Order, Run, Transition};
 
 use super::atoms::Atom;
 use super::limits::index;
 use super::node::Node;
-use super::pool::{NO_TERM, Shared};
 use super::unit::Lowering;
 use super::watch::Context;
-use crate::model::{self, GraphId, Hierarchy, Situation, StepId, TransitionId, Trigger};
+use crate::model::{self, GraphId, Situation, StepId, TransitionId, Trigger};
 
 /// Rows of what a step does.
 #[derive(Clone, Copy, Default)]
@@ -31,19 +27,6 @@ pub(super) struct StepRuns {
 pub(super) struct GraphOrders {
     pub others: Run,
     pub own: Run,
-}
-
-/// The rows that are made last, when it is known which steps are timed.
-pub(super) struct Structure {
-    pub graphs: Vec<Graph>,
-    pub hierarchy: Vec<u16>,
-    pub steps: Vec<Step>,
-    pub duties: Vec<Duties>,
-    pub blocks: Vec<Block>,
-    pub macros: Vec<Macro>,
-    pub arms: Vec<Arm>,
-    /// Graphs with transitions without entrance steps.
-    pub sources: Vec<u16>,
 }
 
 /// Rows added to a table since it had a length.
@@ -176,20 +159,20 @@ impl Lowering<'_> {
     }
 
     /// The steps of a program lie one behind the other in the model.
-    fn first_step(&self) -> usize {
+    pub(super) fn first_step(&self) -> usize {
         self.graphs
             .first()
             .map_or(0, |graph| self.model[*graph].steps.start)
     }
 
-    fn first_transition(&self) -> usize {
+    pub(super) fn first_transition(&self) -> usize {
         self.graphs
             .first()
             .map_or(0, |graph| self.model[*graph].transitions.start)
     }
 
     /// Index of the first word of a situation of a graph.
-    fn situation_row(&mut self, graph: GraphId, situation: &Situation) -> u16 {
+    pub(super) fn situation_row(&mut self, graph: GraphId, situation: &Situation) -> u16 {
         if *situation != Situation::Initial {
             return self.new_situation_row(graph, situation);
         }
@@ -254,157 +237,4 @@ impl Lowering<'_> {
             at_start: self.model[step].initial.then_some(at_start),
         }
     }
-
-    /// The structure, made when everything else is.
-    pub fn structure(
-        &mut self,
-        activations: &BTreeMap<Atom, Stamp>,
-        watches: impl Fn(Context) -> Run,
-    ) -> Structure {
-        let model = self.model;
-        let graphs = self.graphs.clone();
-        let (first_step, first_transition) = (self.first_step(), self.first_transition());
-        let enclosings = std::mem::take(&mut self.rows.enclosing_runs);
-        let orders = std::mem::take(&mut self.rows.graph_orders);
-        let mut structure = Structure {
-            graphs: Vec::with_capacity(graphs.len()),
-            hierarchy: self.hierarchy(),
-            steps: Vec::with_capacity(self.rows.steps.len()),
-            duties: Vec::new(),
-            blocks: Vec::new(),
-            macros: Vec::new(),
-            arms: Vec::new(),
-            sources: Vec::new(),
-        };
-        let mut duties = Shared::default();
-        duties.row(duties_of(&StepRuns::default(), None));
-        for (row, &id) in graphs.iter().enumerate() {
-            let graph = &model[id];
-            let (armed, sources) = armed_by(model, id, first_transition);
-            for step in graph.step_ids() {
-                let runs = self
-                    .rows
-                    .steps
-                    .get(step.0 - first_step)
-                    .copied()
-                    .unwrap_or_default();
-                let start = structure.arms.len();
-                let armed = armed.get(&step).into_iter().flatten();
-                structure.arms.extend(armed.map(|row| self.arm(*row)));
-                let activated = activations.get(&Atom::Step(step)).copied();
-                structure.steps.push(Step {
-                    arms: since(&structure.arms, start),
-                    momentary: runs.momentary,
-                    duties: duties.row(duties_of(&runs, activated)),
-                });
-            }
-            let start = structure.arms.len();
-            if !sources.is_empty() {
-                structure.sources.push(index(row));
-            }
-            structure
-                .arms
-                .extend(sources.iter().map(|row| self.arm(*row)));
-            let own = graph.steps.start - first_step..graph.steps.end - first_step;
-            let steps = structure.steps.get(own.clone()).unwrap_or_default();
-            structure.blocks.extend(
-                steps
-                    .chunks(32)
-                    .zip(own.step_by(32))
-                    .map(|(steps, first)| block(index(first), steps)),
-            );
-            let orders = orders.get(row).copied().unwrap_or_default();
-            structure.graphs.push(Graph {
-                steps: rows(graph.steps.clone(), first_step),
-                words: self.places.situations.get(row).copied().unwrap_or_default(),
-                transitions: rows(graph.transitions.clone(), first_transition),
-                sources: since(&structure.arms, start),
-                initial: self.situation_row(id, &Situation::Initial),
-                enclosings: enclosings.get(row).copied().unwrap_or_default(),
-                orders: orders.others,
-                self_orders: orders.own,
-                watches: watches(Context::Forcing(row)),
-                self_watches: watches(Context::SelfForcing(row)),
-            });
-            // Inner macro steps stand behind outer ones in the model.
-            structure
-                .macros
-                .extend(graph.macro_ids().rev().map(|id| Macro {
-                    bit: self.places.bit(Atom::Macro(id)),
-                    graph: index(row),
-                    steps: rows(model[id].steps.clone(), first_step),
-                    activated: activations.get(&Atom::Macro(id)).copied(),
-                }));
-        }
-        structure.duties = duties.rows;
-        structure
-    }
-
-    fn arm(&self, transition: u16) -> Arm {
-        let first = self.rows.firsts.get(usize::from(transition));
-        let Term { word, mask, state } = first.copied().unwrap_or(NO_TERM);
-        Arm {
-            transition,
-            word,
-            mask,
-            state,
-        }
-    }
-
-    fn hierarchy(&self) -> Vec<u16> {
-        let order = Hierarchy::of(self.model, &self.graphs).order;
-        order
-            .into_iter()
-            .map(|graph| index(self.graph_row(graph)))
-            .collect()
-    }
-}
-
-/// Steps that share a word.
-fn block(first: u16, steps: &[Step]) -> Block {
-    let mask = |acts: fn(&Step) -> bool| {
-        let bits = steps.iter().enumerate().filter(|(_, step)| acts(step));
-        bits.fold(0, |mask, (place, _)| mask | 1 << place)
-    };
-    Block {
-        first,
-        momentary: mask(|step| step.momentary.len > 0),
-        duties: mask(|step| step.duties > 0),
-    }
-}
-
-fn duties_of(runs: &StepRuns, activated: Option<Stamp>) -> Duties {
-    Duties {
-        stored: runs.stored,
-        on_activation: runs.on_activation,
-        on_deactivation: runs.on_deactivation,
-        on_event: runs.on_event,
-        orders: runs.orders,
-        activated,
-    }
-}
-
-fn rows(range: std::ops::Range<usize>, first: usize) -> Run {
-    Run {
-        start: index(range.start - first),
-        len: index(range.len()),
-    }
-}
-
-/// The transitions that each step of a graph arms first, and those without entrance steps.
-fn armed_by(
-    model: &model::Model,
-    graph: GraphId,
-    first: usize,
-) -> (BTreeMap<StepId, Vec<u16>>, Vec<u16>) {
-    let mut armed: BTreeMap<StepId, Vec<u16>> = BTreeMap::new();
-    let mut sources = Vec::new();
-    for id in model[graph].transition_ids() {
-        let row = index(id.0 - first);
-        match model[id].entrance.first() {
-            Some(step) => armed.entry(*step).or_default().push(row),
-            None => sources.push(row),
-        }
-    }
-    (armed, sources)
 }

@@ -137,20 +137,15 @@ impl Pool {
                 };
             }
         }
-        let all = others
-            .into_iter()
-            .reduce(|left, right| Node::Binary(Binary::And, Box::new(left), Box::new(right)));
-        match all {
-            None => Rest::None,
-            Some(node) => {
-                let code = self.code(&node, span);
-                let row = self.codes.row(code);
-                if self.is_logic(code) {
-                    Rest::Logic(row)
-                } else {
-                    Rest::Code(row)
-                }
-            }
+        if others.is_empty() {
+            return Rest::None;
+        }
+        let code = self.conjunction_code(&others, span);
+        let row = self.codes.row(code);
+        if self.is_logic(code) {
+            Rest::Logic(row)
+        } else {
+            Rest::Code(row)
         }
     }
 
@@ -193,9 +188,20 @@ impl Pool {
 
     /// Code that leaves a value.
     pub fn code(&mut self, node: &Node, span: Span) -> Code {
+        self.conjunction_code(std::slice::from_ref(node), span)
+    }
+
+    /// Code that leaves the value of the one operand, or the conjunction of several: one behind the other and not as
+    /// a tree, which would be as deep as they are many.
+    fn conjunction_code(&mut self, operands: &[Node], span: Span) -> Code {
         let mut ops = Vec::new();
-        let depth = push(node, &mut self.timers, &mut ops);
-        self.stack = self.stack.max(depth);
+        for (place, operand) in operands.iter().enumerate() {
+            let depth = push(operand, &mut self.timers, &mut ops);
+            self.stack = self.stack.max(depth + place.min(1));
+            if place > 0 {
+                ops.push(Op::And);
+            }
+        }
         if let Some(code) = self.known_ops.get(&ops) {
             return *code;
         }

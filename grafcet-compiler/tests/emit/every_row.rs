@@ -7,19 +7,35 @@ use grafcet_compiler::application::{
 use grafcet_compiler::ast::{DeclarationKind, Type};
 use grafcet_compiler::source::Span;
 use grafcet_core::program::{
-    Assignment, Bit, Code, Condition, Dependent, Edge, Enclosing, Event, Evolution, Forced, Graph,
-    Layout, Macro, Momentary, Number, NumberRow, Op, Order, Retained, Run, Slot, Stamp, Step,
-    Stored, Term, Transition, Unit as PresetUnit, Watch,
+    Assignment, Bit, Code, Condition, Dependent, Edge, Edges, Enclosing, Event, Evolution, Forced,
+    Layout, Macro, Momentary, Number, NumberRow, Op, Order, Preset, Rest, Retained, Run, Slot,
+    Stamp, Stored, Target, Term, Timer, Unit as PresetUnit, Watch,
 };
+
+use self::structure::{across, arm, block, duties, graphs, step, transition, within};
+
+#[path = "structure.rs"]
+mod structure;
 
 const fn run(start: u16, len: u16) -> Run {
     Run { start, len }
 }
 
-const COMPARED: Condition = Condition::Code(Code { start: 0, len: 3 });
+const fn only(rest: Rest) -> Condition {
+    Condition {
+        terms: Run::EMPTY,
+        rest,
+    }
+}
+
+const COMPARED: Condition = only(Rest::Code(0));
+const BOTH: Condition = Condition {
+    terms: run(0, 1),
+    rest: Rest::Logic(1),
+};
 const FIVE: Code = Code { start: 1, len: 1 };
 
-/// The application: the controller, and a plant that is the same program.
+/// The application: the controller, and a plant that is the same program but evolves `stable`.
 pub fn application() -> Application {
     let tables = tables();
     Application {
@@ -28,11 +44,11 @@ pub fn application() -> Application {
         plants: vec![Plant {
             name: "Mirror".into(),
             unit: Unit {
-                tables: tables.clone(),
+                tables: stable(tables.clone()),
                 symbols: Symbols::default(),
             },
             reads: vec![Wire {
-                from: Slot::Bit(Bit(160)),
+                from: Slot::Bit(Bit(224)),
                 to: Slot::Bit(Bit(32)),
             }],
             writes: vec![Wire {
@@ -85,84 +101,86 @@ fn symbols() -> Symbols {
         graphs: vec![
             graph("G", &["1", "E2", "S3"], &[1, 2]),
             graph("H", &["1"], &[7]),
+            graph("I", &["1"], &[8, 9]),
         ],
         variables: vec![
-            variable("Locked", Slot::Bit(Bit(192))),
+            variable("Locked", Slot::Bit(Bit(256))),
             variable("G:température", Slot::Number(Number(3))),
         ],
+    }
+}
+
+/// What `evolution stable` changes.
+fn stable(tables: Tables) -> Tables {
+    Tables {
+        evolution: Evolution::Stable,
+        layout: Layout {
+            passed: 1,
+            ..tables.layout
+        },
+        edges: Vec::new(),
+        ..tables
     }
 }
 
 fn tables() -> Tables {
     Tables {
         period_ms: 10,
-        evolution: Evolution::Stable,
+        evolution: Evolution::Scan,
         fingerprint: 0xfeed_beef,
         layout: Layout {
-            words: 8,
+            words: 13,
             inputs: run(1, 1),
-            situations: run(2, 2),
-            macros: run(4, 1),
-            momentary: run(5, 1),
+            situations: run(2, 4),
+            macros: run(6, 1),
+            momentary: run(7, 1),
             number_inputs: run(2, 1),
-            outside: run(7, 1),
+            outside: run(9, 1),
             numbers: 4,
             stamps: 4,
             stack: 2,
             fired: 1,
+            passed: 0,
+            remembered: 5,
+            standings: 3,
         },
-        graphs: vec![
-            Graph {
-                steps: run(0, 3),
-                words: run(2, 1),
-                transitions: run(0, 2),
-                sources: Run::EMPTY,
-                initial: 0,
-                enclosings: Run::EMPTY,
-                orders: Run::EMPTY,
-                self_orders: run(1, 1),
-                watches: Run::EMPTY,
-                self_watches: Run::EMPTY,
-            },
-            Graph {
-                steps: run(3, 1),
-                words: run(3, 1),
-                transitions: run(2, 1),
-                sources: run(2, 1),
-                initial: 1,
-                enclosings: run(0, 1),
-                orders: Run::EMPTY,
-                self_orders: Run::EMPTY,
-                watches: Run::EMPTY,
-                self_watches: Run::EMPTY,
-            },
-        ],
-        hierarchy: vec![0, 1],
-        steps: (0..4).map(step).collect(),
+        graphs: graphs(),
+        hierarchy: vec![0, 1, 2],
+        blocks: [(0, 0b111), (3, 0b1), (4, u32::MAX), (36, 0b1)]
+            .map(block)
+            .to_vec(),
+        steps: (0..37).map(step).collect(),
+        duties: duties(),
         macros: vec![Macro {
-            bit: Bit(128),
+            bit: Bit(192),
             graph: 0,
             steps: run(1, 2),
             activated: None,
         }],
         transitions: vec![
-            transition(run(0, 1), run(1, 1), Condition::All(run(0, 1))),
-            transition(run(1, 1), run(0, 1), COMPARED),
-            transition(Run::EMPTY, run(2, 1), Condition::Always),
+            transition(within(0b01, 0b10), BOTH),
+            transition(within(0b10, 0b01), COMPARED),
+            transition(within(0, 0b1), Condition::ALWAYS),
+            transition(across(0, 1), only(Rest::Elapsed(0))),
+            transition(across(1, 0), only(Rest::Running(1))),
         ],
-        links: vec![Bit(64), Bit(65), Bit(96), Bit(160)],
-        armed_by: vec![0, 1, 2],
-        situations: vec![0b001, 0b1, 0b101],
+        links: vec![Bit(128), Bit(160)],
+        arms: (0..5).map(arm).collect(),
+        situations: vec![0b001, 0b1, 0b101, 0b1, 0b0],
         enclosings: vec![Enclosing {
             step: Bit(65),
             situation: 1,
             at_start: Some(1),
         }],
         orders: vec![order(1, Forced::Current), order(0, Forced::Set(2))],
+        sources: vec![1],
+        lasting_in_steps: true,
+        momentary_varies: true,
+        stores_on_change: true,
         stored: vec![
             Stored {
-                assignment: Assignment::Bit(Bit(192), COMPARED),
-                condition: Condition::Always,
+                assignment: Assignment::Bit(Bit(256), COMPARED),
+                condition: Condition::ALWAYS,
             },
             Stored {
                 assignment: Assignment::Number(Number(3), FIVE),
@@ -170,11 +188,15 @@ fn tables() -> Tables {
             },
         ],
         events: vec![Event {
-            event: Bit(194),
+            event: Bit(258),
             stored: run(1, 1),
         }],
         always_stored: run(0, 1),
-        momentary: vec![momentary(Condition::Always)],
+        targets: vec![Target {
+            word: 7,
+            mask: 0x8000_0001,
+        }],
+        momentary: vec![momentary(Condition::ALWAYS)],
         always_momentary: Run::EMPTY,
         dependent: vec![
             Dependent {
@@ -183,9 +205,15 @@ fn tables() -> Tables {
             },
             Dependent {
                 owner: None,
-                statement: momentary(Condition::Code(Code { start: 3, len: 36 })),
+                statement: momentary(only(Rest::Code(2))),
             },
         ],
+        edges: vec![Edges {
+            word: 1,
+            last: 10,
+            rising: 11,
+            falling: 12,
+        }],
         watches: watches(),
         trigger_watches: run(0, 2),
         round_watches: run(2, 1),
@@ -195,14 +223,23 @@ fn tables() -> Tables {
             mask: 0x8000_0001,
             state: 1,
         }],
+        timers: vec![
+            timer(Preset::Constant(500)),
+            timer(Preset::Number(Number(3), PresetUnit::Seconds)),
+        ],
+        codes: vec![
+            Code { start: 0, len: 3 },
+            Code { start: 3, len: 4 },
+            Code { start: 7, len: 36 },
+        ],
         ops: ops(),
         numbers: [(0, i32::MIN, i32::MAX), (0, 0, 0), (-5, -7, -1), (1, 0, 9)]
             .map(|(initial, min, max)| NumberRow { initial, min, max })
             .to_vec(),
-        initially_true: vec![Bit(192)],
+        initially_true: vec![Bit(256)],
         retained: vec![
             Retained {
-                slot: Slot::Bit(Bit(192)),
+                slot: Slot::Bit(Bit(256)),
                 key: u32::MAX,
             },
             Retained {
@@ -213,25 +250,11 @@ fn tables() -> Tables {
     }
 }
 
-fn step(index: u16) -> Step {
-    Step {
-        transitions: run(index.min(2), u16::from(index < 2)),
-        momentary: run(0, 1),
-        stored: run(0, 1),
-        on_activation: run(1, 1),
-        on_deactivation: run(0, 2),
-        on_event: run(0, 1),
-        orders: run(0, u16::from(index == 2)),
-        activated: (index == 0).then_some(Stamp(0)),
-    }
-}
-
-fn transition(entrance: Run, exit: Run, trigger: Condition) -> Transition {
-    Transition {
-        entrance,
-        exit,
-        trigger,
-        actions: run(1, 1),
+fn timer(preset: Preset) -> Timer {
+    Timer {
+        step: Bit(64),
+        activated: Stamp(0),
+        preset,
     }
 }
 
@@ -240,59 +263,59 @@ fn order(graph: u16, situation: Forced) -> Order {
         graph,
         rank: 1 - graph,
         situation,
-        condition: Condition::Always,
+        condition: Condition::ALWAYS,
     }
 }
 
 fn momentary(condition: Condition) -> Momentary {
     Momentary {
-        targets: run(3, 1),
+        targets: run(0, 1),
         condition,
     }
 }
 
 fn watches() -> Vec<Watch> {
     let edge = |edge, first| Watch::Edge {
-        operand: Condition::All(run(0, 1)),
+        operand: BOTH,
         edge,
         last: Bit(first),
         result: Bit(first + 1),
         from_false: edge == Edge::Rising,
     };
     vec![
-        edge(Edge::Rising, 193),
-        edge(Edge::Falling, 195),
+        edge(Edge::Rising, 257),
+        edge(Edge::Falling, 259),
         Watch::Timer {
             enable: COMPARED,
             preset: FIVE,
             unit: PresetUnit::Seconds,
-            last: Bit(197),
+            last: Bit(261),
             risen: Stamp(1),
-            result: Bit(198),
+            result: Bit(262),
         },
         Watch::OnDelay {
-            enable: Condition::Always,
+            enable: Condition::ALWAYS,
             delay: FIVE,
-            last: Bit(199),
+            last: Bit(263),
             risen: Stamp(2),
-            result: Bit(200),
+            result: Bit(264),
         },
         Watch::OffDelay {
-            on: Condition::Always,
+            on: Condition::ALWAYS,
             hold: FIVE,
-            last: Bit(201),
+            last: Bit(265),
             fallen: Stamp(3),
-            result: Bit(202),
+            result: Bit(266),
         },
         Watch::Value {
-            condition: Condition::Always,
+            condition: Condition::ALWAYS,
             gate: Some(Bit(64)),
-            result: Bit(203),
+            result: Bit(267),
         },
     ]
 }
 
-/// `x < 5` in front, then every other operation in one expression.
+/// `x < 5` in front, then logic, then every other operation in one expression.
 fn ops() -> Vec<Op> {
     let two = [
         Op::And,
@@ -311,6 +334,7 @@ fn ops() -> Vec<Op> {
         Op::GreaterOrEqual,
     ];
     let mut ops = vec![Op::Number(Number(3)), Op::Constant(5), Op::Less];
+    ops.extend([Op::Bit(Bit(32)), Op::Not, Op::Elapsed(1), Op::Or]);
     ops.push(Op::Constant(i32::MIN));
     for op in two {
         ops.extend([Op::Constant(-1), op]);

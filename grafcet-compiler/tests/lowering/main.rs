@@ -3,14 +3,17 @@
 mod conditions;
 mod identity;
 mod limits;
+mod logic;
 mod places;
 mod plants;
+mod sharing;
 mod structure;
 mod watches;
 
 use grafcet_compiler::application::{Application, Tables};
 use grafcet_compiler::render::{Style, render};
 use grafcet_compiler::{Target, compile};
+use grafcet_core::program::{Op, Rest, Term};
 
 /// The application that a text becomes.
 fn application(text: &str) -> Application {
@@ -39,4 +42,33 @@ fn graph(elements: &str) -> Tables {
         "input a, b, c\noutput M, N, O\nvar n, m : int\nvar t : time\nparameter p : time = 1s\n\
          graph G {{\n{elements}\n}}"
     ))
+}
+
+/// What the first step that a transition leaves asks for: the term in its arm, and those behind it.
+fn terms_of(tables: &Tables, transition: u16) -> Vec<Term> {
+    let mut arms = tables.arms.iter();
+    let Some(arm) = arms.find(|arm| arm.transition == transition) else {
+        panic!("nothing arms transition {transition}");
+    };
+    let first = Term {
+        word: arm.word,
+        mask: arm.mask,
+        state: arm.state,
+    };
+    let fires = tables.transitions[usize::from(transition)].fires;
+    let behind = fires.terms.of(&tables.terms).iter().copied();
+    let first = (first.mask != 0).then_some(first);
+    // What is behind an arm without a term would be looked at without need.
+    assert!(first.is_some() || fires.terms.len == 0);
+    first.into_iter().chain(behind).collect()
+}
+
+/// The code of a rest that has some.
+fn ops_of(tables: &Tables, rest: Rest) -> Vec<Op> {
+    let (Rest::Logic(row) | Rest::Code(row)) = rest else {
+        panic!("{rest:?} has no code");
+    };
+    let code = tables.codes[usize::from(row)];
+    let start = code.start as usize;
+    tables.ops[start..start + usize::from(code.len)].to_vec()
 }

@@ -1,7 +1,7 @@
 //! Graphs, links, hierarchy and the order of statements.
 
 use grafcet_compiler::application::Tables;
-use grafcet_core::program::{Bit, Forced, Run, Slot};
+use grafcet_core::program::{Arm, Bit, Crossing, Duties, Forced, Graph, Run, Slot, Step, Target};
 
 use crate::{application, graph, tables};
 
@@ -11,20 +11,46 @@ fn a_transition_is_armed_by_its_first_entrance_step_or_by_its_graph() {
         "initial step 1; step 2; step 3\ntransition 1: 2, 1 -> 3\ntransition 2: -> 1 when a\ntransition 3: 3 ->\n\
          transition 4: 1 -> 2, 3",
     );
-    let armed: Vec<&[u16]> = tables
+    let transitions = |run: Run| -> Vec<u16> {
+        let arms: &[Arm] = run.of(&tables.arms);
+        arms.iter().map(|arm| arm.transition).collect()
+    };
+    let armed: Vec<Vec<u16>> = tables
         .steps
         .iter()
-        .map(|step| step.transitions.of(&tables.armed_by))
+        .map(|step| transitions(step.arms))
         .collect();
     assert_eq!(armed, [&[3][..], &[0], &[2]]);
-    assert_eq!(tables.graphs[0].sources.of(&tables.armed_by), [1]);
+    assert_eq!(transitions(tables.graphs[0].sources), [1]);
+    assert_eq!(tables.sources, [0]);
+    let crossings: Vec<Crossing> = tables.transitions.iter().map(|it| it.crossing).collect();
+    let within = |(leaves, enters)| Crossing::Within { leaves, enters };
     assert_eq!(
-        tables.transitions[2].exit,
-        Run {
-            len: 0,
-            ..tables.transitions[2].exit
-        }
+        crossings,
+        [(0b011, 0b100), (0, 0b001), (0b100, 0), (0b001, 0b110)].map(within)
     );
+}
+
+#[test]
+fn steps_of_a_large_graph_are_left_and_entered_by_links() {
+    let rest: String = (3..=40).map(|step| format!("step {step}; ")).collect();
+    let tables = graph(&format!(
+        "initial step 1; step 2; {rest}\ntransition 1: 1, 40 -> 2, 39 when a\ntransition 2: -> 1 when a; transition 3: 2 ->"
+    ));
+    let program = tables.program();
+    let steps = |row: usize| -> (Vec<usize>, Vec<usize>) {
+        let (graph, transition): (&Graph, _) = (&tables.graphs[0], &tables.transitions[row]);
+        assert!(matches!(transition.crossing, Crossing::Across { .. }));
+        (
+            program.entrance_steps(graph, transition).collect(),
+            program.exit_steps(graph, transition).collect(),
+        )
+    };
+    assert_eq!(steps(0), (vec![0, 39], vec![1, 38]));
+    assert_eq!(steps(1), (vec![], vec![0]));
+    assert_eq!(steps(2), (vec![1], vec![]));
+    assert_eq!(tables.links[0], Bit(64));
+    assert_eq!(tables.links[1], Bit(64 + 39));
 }
 
 #[test]
@@ -33,10 +59,17 @@ fn a_macro_step_is_entered_at_its_entry_and_left_at_its_exit() {
         "initial step 1; macro step M5 { exit step 3; entry step 2; transition 2: 2 -> 3 }\n\
          transition 1: 1 -> M5\ntransition 3: M5 -> 1",
     );
-    let step = |index: u16| Bit(64 + index);
-    assert_eq!(tables.transitions[0].entrance.of(&tables.links), [step(2)]);
-    assert_eq!(tables.transitions[1].exit.of(&tables.links), [step(2)]);
-    assert_eq!(tables.transitions[2].entrance.of(&tables.links), [step(1)]);
+    let crossings: Vec<Crossing> = tables.transitions.iter().map(|it| it.crossing).collect();
+    let within = |(leaves, enters)| Crossing::Within { leaves, enters };
+    assert_eq!(
+        crossings,
+        [(0b100, 0b010), (0b001, 0b100), (0b010, 0b001)].map(within)
+    );
+    let (graph, program) = (&tables.graphs[0], tables.program());
+    let transition = &tables.transitions[2];
+    let left: Vec<usize> = program.entrance_steps(graph, transition).collect();
+    let entered: Vec<usize> = program.exit_steps(graph, transition).collect();
+    assert_eq!((left, entered), (vec![1], vec![0]));
 }
 
 #[test]
@@ -62,7 +95,7 @@ fn orders_are_ranked_by_the_source_wherever_they_stand() {
             .collect::<Vec<_>>()
     };
     assert_eq!(ranks(a.orders), [0, 2]);
-    assert_eq!(ranks(tables.steps[1].orders), [1]);
+    assert_eq!(ranks(duties(&tables, tables.steps[1]).orders), [1]);
     assert_eq!(ranks(a.self_orders), [3]);
     assert_eq!(tables.orders[1].situation, Forced::Current);
 }
@@ -103,13 +136,17 @@ fn momentary_statements_follow_what_they_depend_on() {
             Slot::Number(_) => unreachable!(),
         }
     };
-    let targets: Vec<Bit> = tables
+    let targets: Vec<Target> = tables
         .dependent
         .iter()
-        .flat_map(|it| it.statement.targets.of(&tables.links))
+        .flat_map(|it| it.statement.targets.of(&tables.targets))
         .copied()
         .collect();
-    assert_eq!(targets, [bit("w"), bit("M")]);
+    let target = |bit: Bit| Target {
+        word: bit.0 / 32,
+        mask: bit.mask(),
+    };
+    assert_eq!(targets, [bit("w"), bit("M")].map(target));
     let owned: Vec<bool> = tables
         .dependent
         .iter()
@@ -122,7 +159,13 @@ fn momentary_statements_follow_what_they_depend_on() {
 fn one_statement_with_two_variables_is_one_row() {
     let tables = graph("initial step 1 { M, N IF a OR b }");
     assert_eq!(tables.momentary.len(), 1);
-    assert_eq!(tables.momentary[0].targets.len, 2);
+    let targets = tables.momentary[0].targets.of(&tables.targets);
+    assert_eq!(targets.len(), 1);
+    assert_eq!(targets[0].mask, 0b11);
+}
+
+fn duties(tables: &Tables, step: Step) -> Duties {
+    tables.duties[usize::from(step.duties)]
 }
 
 fn stored(tables: &Tables, run: Run) -> usize {
@@ -135,7 +178,7 @@ fn stored_statements_stand_in_the_group_in_which_they_run() {
         "always { n = 1 }\ninitial step 1 { n = 2; on activation { n = 3; n = 4 }; on deactivation: n = 5\n\
          on event ↑a { n = 6; n = 7; n = 8 }; n = 9 }\ntransition 1: 1 -> 1 do { n = 10 }\nalways { n = 11 }",
     );
-    let step = tables.steps[0];
+    let step = duties(&tables, tables.steps[0]);
     assert_eq!(stored(&tables, tables.always_stored), 2);
     assert_eq!(stored(&tables, step.stored), 2);
     assert_eq!(stored(&tables, step.on_activation), 2);
@@ -145,4 +188,43 @@ fn stored_statements_stand_in_the_group_in_which_they_run() {
         3
     );
     assert_eq!(stored(&tables, tables.transitions[0].actions), 1);
+}
+
+#[test]
+fn a_program_says_what_it_never_does() {
+    let flags = |elements: &str| {
+        let tables = graph(&format!("initial step 1 {{ {elements} }}"));
+        [
+            tables.lasting_in_steps,
+            tables.stores_on_change,
+            tables.momentary_varies,
+        ]
+    };
+    assert_eq!(flags("M"), [false, false, false]);
+    assert_eq!(flags("n = 1"), [true, false, false]);
+    assert_eq!(flags("on activation: n = 1"), [false, true, false]);
+    assert_eq!(flags("on deactivation: n = 1"), [false, true, false]);
+    assert_eq!(flags("on event ↑a: n = 1"), [false, false, false]);
+    assert_eq!(flags("M IF a"), [false, false, true]);
+    assert_eq!(flags("M IF T/X1/1s"), [false, false, true]);
+    assert_eq!(flags("M; N IF M"), [false, false, true]);
+    let transition = graph("initial step 1\ntransition 1: 1 -> 1 when a do { n = 1 }");
+    assert!(transition.stores_on_change);
+    let alone = graph("initial step 1\nalways { n = 1; M IF a }");
+    assert!(!alone.lasting_in_steps && alone.momentary_varies);
+}
+
+#[test]
+fn memory_for_what_a_program_does_not_do_is_not_kept() {
+    let kept = |text: &str| {
+        let layout = tables(text).layout;
+        (layout.passed, layout.remembered, layout.standings)
+    };
+    let plain = "graph A { initial step 1; transition 1: 1 -> 1 }";
+    assert_eq!(kept(plain), (0, 0, 0));
+    assert_eq!(kept(&format!("evolution stable\n{plain}")), (1, 1, 0));
+    let forced = format!("{plain}\ngraph B {{ initial step 1 {{ F/A:{{*}} }} }}");
+    assert_eq!(kept(&forced), (0, 0, 2));
+    let enclosed = format!("{plain}\ngraph B {{ initial step 1 encloses A{{1}} }}");
+    assert_eq!(kept(&enclosed), (0, 2, 2));
 }

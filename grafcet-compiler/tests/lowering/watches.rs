@@ -1,20 +1,12 @@
 //! Edges and timers: which have a memory, and when they are evaluated.
 
 use grafcet_compiler::application::Tables;
-use grafcet_core::program::{Edge, Op, Run, Unit, Watch};
+use grafcet_core::program::{Bit, Edge, Edges, Op, Preset, Run, Term, Unit, Watch};
 
-use crate::{graph, tables};
+use crate::{graph, ops_of, tables, terms_of};
 
 fn of(tables: &Tables, run: Run) -> Vec<Watch> {
     run.of(&tables.watches).to_vec()
-}
-
-fn step_timers(tables: &Tables) -> usize {
-    tables
-        .ops
-        .iter()
-        .filter(|op| matches!(op, Op::StepTimer { .. }))
-        .count()
 }
 
 #[test]
@@ -23,24 +15,28 @@ fn a_step_is_timed_by_its_activation_and_others_are_not_timed() {
         "initial step 1; step 2\ntransition 1: 1 -> 2 when T/X1/2s AND a\ntransition 2: 2 -> 1 when p/X1 OR T/X1/p",
     );
     assert!(tables.watches.is_empty());
-    assert_eq!(step_timers(&tables), 3);
+    let timers: Vec<_> = tables
+        .timers
+        .iter()
+        .map(|timer| (timer.step, timer.activated))
+        .collect();
+    let activated = tables.duties[usize::from(tables.steps[0].duties)].activated;
+    assert_eq!(timers, [(Bit(64), activated.unwrap()); 2]);
+    let ops = ops_of(&tables, tables.transitions[1].fires.rest);
+    let elapsed = ops.iter().filter(|op| **op == Op::Elapsed(1));
+    assert_eq!(elapsed.count(), 2);
     assert_eq!(tables.layout.stamps, 1);
-    assert!(tables.steps[0].activated.is_some() && tables.steps[1].activated.is_none());
+    assert_eq!(tables.steps[1].duties, 0);
 }
 
 #[test]
 fn an_integer_preset_counts_seconds() {
     let tables = graph("initial step 1\ntransition 1: 1 -> 1 when T/X1/3 AND T/X1/n");
-    let units: Vec<Unit> = tables
-        .ops
-        .iter()
-        .filter_map(|op| match op {
-            Op::StepTimer { unit, .. } => Some(*unit),
-            _ => None,
-        })
-        .collect();
-    assert_eq!(units, [Unit::Milliseconds, Unit::Seconds]);
-    assert!(tables.ops.contains(&Op::Constant(3000)));
+    let presets: Vec<Preset> = tables.timers.iter().map(|timer| timer.preset).collect();
+    assert!(matches!(
+        presets[..],
+        [Preset::Constant(3000), Preset::Number(_, Unit::Seconds)]
+    ));
 }
 
 #[test]
@@ -69,7 +65,7 @@ fn an_off_delay_of_a_step_watches_its_on_delay() {
         of(&tables, tables.trigger_watches)[..],
         [Watch::OffDelay { .. }]
     ));
-    assert_eq!(step_timers(&tables), 1);
+    assert_eq!(tables.timers.len(), 1);
 }
 
 #[test]
@@ -90,14 +86,17 @@ fn a_preset_that_can_fault_is_read_in_every_scan() {
         of(&tables, tables.trigger_watches)[..],
         [Watch::Value { gate: None, .. }]
     ));
+    // It is calculated, so that it is no row.
+    assert!(tables.timers.is_empty());
+    assert!(matches!(tables.ops[..], [.., Op::StepTimer { .. }]));
 }
 
 #[test]
 fn one_edge_is_watched_once_in_each_phase() {
     let tables = graph(
-        "initial step 1 { M IF ↑a; N IF ↑a AND b; O IF ↓a }\n\
-         transition 1: 1 -> 1 when ↑a\ntransition 2: 1 -> 1 when ↑a AND b OR RE a\n\
-         always { F/G:{} IF ↑a }",
+        "initial step 1 { M IF ↑(a OR b); N IF ↑(a OR b) AND b; O IF ↓(a OR b) }\n\
+         transition 1: 1 -> 1 when ↑(a OR b)\ntransition 2: 1 -> 1 when ↑(a OR b) AND b OR RE (a OR b)\n\
+         always { F/G:{} IF ↑(a OR b) }",
     );
     assert_eq!(tables.trigger_watches.len, 1);
     assert_eq!(tables.action_watches.len, 2);
@@ -105,10 +104,73 @@ fn one_edge_is_watched_once_in_each_phase() {
 }
 
 #[test]
+fn edges_of_inputs_are_watched_by_their_words_for_all_phases() {
+    let tables = graph(
+        "initial step 1 { M IF ↑a; N IF ↑a AND b; O IF ↓c; on event ↑b: n = n + 1 }\n\
+         transition 1: 1 -> 1 when ↑b AND ↓a AND c\nalways { F/G:{} IF ↑a }",
+    );
+    assert!(tables.watches.is_empty());
+    let edges = tables.edges[0];
+    assert_eq!((tables.edges.len(), edges.word), (1, 1));
+    let words = [edges.last, edges.rising, edges.falling];
+    assert!(
+        words
+            .iter()
+            .all(|word| *word > tables.layout.momentary.start)
+    );
+    let term = |word: u16, bits: u32| Term {
+        word,
+        mask: bits,
+        state: bits,
+    };
+    assert_eq!(
+        terms_of(&tables, 0),
+        [
+            term(1, 0b100),
+            term(edges.rising, 0b010),
+            term(edges.falling, 0b001)
+        ]
+    );
+    assert_eq!(tables.events[0].event, Bit(edges.rising * 32 + 1));
+    let of_m = tables.momentary[0].condition.terms.of(&tables.terms);
+    assert_eq!(of_m, [term(edges.rising, 0b001)]);
+}
+
+#[test]
+fn inputs_in_two_words_have_edges_in_words_of_their_own() {
+    let inputs: Vec<String> = (0..40).map(|index| format!("i{index}")).collect();
+    let triggers = ["↑i0 AND ↓i39", "↑i39"].map(|edges| format!("1 -> 1 when {edges}"));
+    let tables = tables(&format!(
+        "input {}\ngraph G {{ initial step 1; transition 1: {}; transition 2: {} }}",
+        inputs.join(", "),
+        triggers[0],
+        triggers[1]
+    ));
+    let [first, second] = tables.edges[..] else {
+        panic!("{:?}", tables.edges);
+    };
+    assert_eq!((first.word, second.word), (1, 2));
+    let of = |edges: Edges| [edges.last, edges.rising, edges.falling];
+    assert!(of(first).iter().all(|word| !of(second).contains(word)));
+    let term = terms_of(&tables, 1);
+    assert_eq!((term[0].word, term[0].mask), (second.rising, 1 << 7));
+}
+
+#[test]
+fn edges_of_inputs_in_rounds_and_of_what_is_no_input_have_memories_of_their_own() {
+    let text =
+        "input a\noutput M\nvar v\ngraph G { initial step 1 { M IF ↑a AND ↓v; v = a AND NOT v } }";
+    let scan = tables(text);
+    assert_eq!((scan.edges.len(), scan.watches.len()), (1, 1));
+    let stable = tables(&format!("evolution stable\n{text}"));
+    assert_eq!((stable.edges.len(), stable.watches.len()), (0, 2));
+}
+
+#[test]
 fn the_forcing_of_a_graph_has_watches_of_its_own() {
     let tables = tables(
-        "input a\ngraph A { initial step 1 { F/B:{1} IF ↑a }; always { F/B:{} IF ↓a; F/A:{} IF ↑a } }\n\
-         graph B { initial step 1 { F/C:{*} IF ↑a } }\ngraph C { initial step 1 }",
+        "input a, b\ngraph A { initial step 1 { F/B:{1} IF ↑(a OR b) }; always { F/B:{} IF ↓(a OR b); F/A:{} IF ↑(a OR b) } }\n\
+         graph B { initial step 1 { F/C:{*} IF ↑(a OR b) } }\ngraph C { initial step 1 }",
     );
     let lengths = tables
         .graphs
@@ -129,7 +191,7 @@ fn only_a_rising_step_bit_in_an_action_counts_from_false() {
             .collect()
     };
     let tables = graph(
-        "initial step 1 { M IF ↑X1; N IF ↓X1 OR ↑(X1 AND a) OR ↑a }\ntransition 1: 1 -> 1 when ↑X1\n\
+        "initial step 1 { M IF ↑X1; N IF ↓X1 OR ↑(X1 AND a) OR ↑(a OR b) }\ntransition 1: 1 -> 1 when ↑X1\n\
          always { F/G:{} IF ↑X1 }",
     );
     assert_eq!(
@@ -142,7 +204,7 @@ fn only_a_rising_step_bit_in_an_action_counts_from_false() {
 
 #[test]
 fn an_operator_inside_another_stands_before_it() {
-    let tables = graph("initial step 1\ntransition 1: 1 -> 1 when ↑(T/(↓a)/2s)");
+    let tables = graph("initial step 1\ntransition 1: 1 -> 1 when ↑(T/(↓(a OR b))/2s)");
     assert!(matches!(
         of(&tables, tables.trigger_watches)[..],
         [
@@ -166,7 +228,6 @@ fn an_event_is_its_edge_or_a_value_while_its_step_is_active() {
     );
     let watches = of(&tables, tables.trigger_watches);
     let [
-        Watch::Edge { result: first, .. },
         Watch::Value {
             gate: Some(_),
             result: second,
@@ -177,13 +238,14 @@ fn an_event_is_its_edge_or_a_value_while_its_step_is_active() {
     else {
         panic!("{watches:?}");
     };
+    let first = Bit(tables.edges[0].rising * 32);
     let events: Vec<_> = tables.events.iter().map(|event| event.event).collect();
     assert_eq!(events, [first, second, third]);
 }
 
 #[test]
 fn statements_of_a_change_are_watched_in_the_rounds_of_a_stable_evolution() {
-    let text = "input a\nvar n : int\ngraph G { initial step 1 { on activation: n = n + 1 IF ↑a; n = n + 1 IF ↓a }\n\
+    let text = "input a, b\nvar n : int\ngraph G { initial step 1 { on activation: n = n + 1 IF ↑(a OR b); n = n + 1 IF ↓(a OR b) }\n\
                 transition 1: 1 -> 1 when a do { n = 0 IF T/X1/2s } }";
     let scan = tables(text);
     assert_eq!((scan.round_watches.len, scan.action_watches.len), (0, 2));

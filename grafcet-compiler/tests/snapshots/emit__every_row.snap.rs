@@ -2,20 +2,23 @@ use grafcet_core::program::*;
 /// The program.
 pub static PROGRAM: Program<'static> = Program {
     period_ms: 10,
-    evolution: Evolution::Stable,
+    evolution: Evolution::Scan,
     fingerprint: 4276993775,
     layout: Layout {
-        words: 8,
+        words: 13,
         inputs: Run { start: 1, len: 1 },
-        situations: Run { start: 2, len: 2 },
-        macros: Run { start: 4, len: 1 },
-        momentary: Run { start: 5, len: 1 },
+        situations: Run { start: 2, len: 4 },
+        macros: Run { start: 6, len: 1 },
+        momentary: Run { start: 7, len: 1 },
         number_inputs: Run { start: 2, len: 1 },
-        outside: Run { start: 7, len: 1 },
+        outside: Run { start: 9, len: 1 },
         numbers: 4,
         stamps: 4,
         stack: 2,
         fired: 1,
+        passed: 0,
+        remembered: 5,
+        standings: 3,
     },
     graphs: &[
         Graph {
@@ -42,12 +45,239 @@ pub static PROGRAM: Program<'static> = Program {
             watches: Run::EMPTY,
             self_watches: Run::EMPTY,
         },
+        Graph {
+            steps: Run { start: 4, len: 33 },
+            words: Run { start: 4, len: 2 },
+            transitions: Run { start: 3, len: 2 },
+            sources: Run::EMPTY,
+            initial: 3,
+            enclosings: Run::EMPTY,
+            orders: Run::EMPTY,
+            self_orders: Run::EMPTY,
+            watches: Run::EMPTY,
+            self_watches: Run::EMPTY,
+        },
     ],
-    hierarchy: &[0, 1],
+    hierarchy: &[0, 1, 2],
+    blocks: &[
+        Block {
+            first: 0,
+            momentary: 7,
+            duties: 7,
+        },
+        Block {
+            first: 3,
+            momentary: 1,
+            duties: 1,
+        },
+        Block {
+            first: 4,
+            momentary: 4294967295,
+            duties: 4294967295,
+        },
+        Block {
+            first: 36,
+            momentary: 1,
+            duties: 1,
+        },
+    ],
     steps: &[
         Step {
-            transitions: Run { start: 0, len: 1 },
+            arms: Run { start: 0, len: 1 },
             momentary: Run { start: 0, len: 1 },
+            duties: 1,
+        },
+        Step {
+            arms: Run { start: 1, len: 1 },
+            momentary: Run { start: 0, len: 1 },
+            duties: 1,
+        },
+        Step {
+            arms: Run::EMPTY,
+            momentary: Run { start: 0, len: 1 },
+            duties: 2,
+        },
+        Step {
+            arms: Run::EMPTY,
+            momentary: Run { start: 0, len: 1 },
+            duties: 1,
+        },
+        Step {
+            arms: Run { start: 3, len: 1 },
+            momentary: Run { start: 0, len: 1 },
+            duties: 1,
+        },
+        Step {
+            arms: Run::EMPTY,
+            momentary: Run { start: 0, len: 1 },
+            duties: 1,
+        },
+        Step {
+            arms: Run::EMPTY,
+            momentary: Run { start: 0, len: 1 },
+            duties: 1,
+        },
+        Step {
+            arms: Run::EMPTY,
+            momentary: Run { start: 0, len: 1 },
+            duties: 1,
+        },
+        Step {
+            arms: Run::EMPTY,
+            momentary: Run { start: 0, len: 1 },
+            duties: 1,
+        },
+        Step {
+            arms: Run::EMPTY,
+            momentary: Run { start: 0, len: 1 },
+            duties: 1,
+        },
+        Step {
+            arms: Run::EMPTY,
+            momentary: Run { start: 0, len: 1 },
+            duties: 1,
+        },
+        Step {
+            arms: Run::EMPTY,
+            momentary: Run { start: 0, len: 1 },
+            duties: 1,
+        },
+        Step {
+            arms: Run::EMPTY,
+            momentary: Run { start: 0, len: 1 },
+            duties: 1,
+        },
+        Step {
+            arms: Run::EMPTY,
+            momentary: Run { start: 0, len: 1 },
+            duties: 1,
+        },
+        Step {
+            arms: Run::EMPTY,
+            momentary: Run { start: 0, len: 1 },
+            duties: 1,
+        },
+        Step {
+            arms: Run::EMPTY,
+            momentary: Run { start: 0, len: 1 },
+            duties: 1,
+        },
+        Step {
+            arms: Run::EMPTY,
+            momentary: Run { start: 0, len: 1 },
+            duties: 1,
+        },
+        Step {
+            arms: Run::EMPTY,
+            momentary: Run { start: 0, len: 1 },
+            duties: 1,
+        },
+        Step {
+            arms: Run::EMPTY,
+            momentary: Run { start: 0, len: 1 },
+            duties: 1,
+        },
+        Step {
+            arms: Run::EMPTY,
+            momentary: Run { start: 0, len: 1 },
+            duties: 1,
+        },
+        Step {
+            arms: Run::EMPTY,
+            momentary: Run { start: 0, len: 1 },
+            duties: 1,
+        },
+        Step {
+            arms: Run::EMPTY,
+            momentary: Run { start: 0, len: 1 },
+            duties: 1,
+        },
+        Step {
+            arms: Run::EMPTY,
+            momentary: Run { start: 0, len: 1 },
+            duties: 1,
+        },
+        Step {
+            arms: Run::EMPTY,
+            momentary: Run { start: 0, len: 1 },
+            duties: 1,
+        },
+        Step {
+            arms: Run::EMPTY,
+            momentary: Run { start: 0, len: 1 },
+            duties: 1,
+        },
+        Step {
+            arms: Run::EMPTY,
+            momentary: Run { start: 0, len: 1 },
+            duties: 1,
+        },
+        Step {
+            arms: Run::EMPTY,
+            momentary: Run { start: 0, len: 1 },
+            duties: 1,
+        },
+        Step {
+            arms: Run::EMPTY,
+            momentary: Run { start: 0, len: 1 },
+            duties: 1,
+        },
+        Step {
+            arms: Run::EMPTY,
+            momentary: Run { start: 0, len: 1 },
+            duties: 1,
+        },
+        Step {
+            arms: Run::EMPTY,
+            momentary: Run { start: 0, len: 1 },
+            duties: 1,
+        },
+        Step {
+            arms: Run::EMPTY,
+            momentary: Run { start: 0, len: 1 },
+            duties: 1,
+        },
+        Step {
+            arms: Run::EMPTY,
+            momentary: Run { start: 0, len: 1 },
+            duties: 1,
+        },
+        Step {
+            arms: Run::EMPTY,
+            momentary: Run { start: 0, len: 1 },
+            duties: 1,
+        },
+        Step {
+            arms: Run::EMPTY,
+            momentary: Run { start: 0, len: 1 },
+            duties: 1,
+        },
+        Step {
+            arms: Run::EMPTY,
+            momentary: Run { start: 0, len: 1 },
+            duties: 1,
+        },
+        Step {
+            arms: Run::EMPTY,
+            momentary: Run { start: 0, len: 1 },
+            duties: 1,
+        },
+        Step {
+            arms: Run { start: 4, len: 1 },
+            momentary: Run { start: 0, len: 1 },
+            duties: 1,
+        },
+    ],
+    duties: &[
+        Duties {
+            stored: Run::EMPTY,
+            on_activation: Run::EMPTY,
+            on_deactivation: Run::EMPTY,
+            on_event: Run::EMPTY,
+            orders: Run::EMPTY,
+            activated: None,
+        },
+        Duties {
             stored: Run { start: 0, len: 1 },
             on_activation: Run { start: 1, len: 1 },
             on_deactivation: Run { start: 0, len: 2 },
@@ -55,40 +285,18 @@ pub static PROGRAM: Program<'static> = Program {
             orders: Run::EMPTY,
             activated: Some(Stamp(0)),
         },
-        Step {
-            transitions: Run { start: 1, len: 1 },
-            momentary: Run { start: 0, len: 1 },
-            stored: Run { start: 0, len: 1 },
-            on_activation: Run { start: 1, len: 1 },
-            on_deactivation: Run { start: 0, len: 2 },
-            on_event: Run { start: 0, len: 1 },
-            orders: Run::EMPTY,
-            activated: None,
-        },
-        Step {
-            transitions: Run { start: 2, len: 0 },
-            momentary: Run { start: 0, len: 1 },
-            stored: Run { start: 0, len: 1 },
-            on_activation: Run { start: 1, len: 1 },
-            on_deactivation: Run { start: 0, len: 2 },
-            on_event: Run { start: 0, len: 1 },
+        Duties {
+            stored: Run::EMPTY,
+            on_activation: Run::EMPTY,
+            on_deactivation: Run::EMPTY,
+            on_event: Run::EMPTY,
             orders: Run { start: 0, len: 1 },
-            activated: None,
-        },
-        Step {
-            transitions: Run { start: 2, len: 0 },
-            momentary: Run { start: 0, len: 1 },
-            stored: Run { start: 0, len: 1 },
-            on_activation: Run { start: 1, len: 1 },
-            on_deactivation: Run { start: 0, len: 2 },
-            on_event: Run { start: 0, len: 1 },
-            orders: Run::EMPTY,
             activated: None,
         },
     ],
     macros: &[
         Macro {
-            bit: Bit(128),
+            bit: Bit(192),
             graph: 0,
             steps: Run { start: 1, len: 2 },
             activated: None,
@@ -96,27 +304,92 @@ pub static PROGRAM: Program<'static> = Program {
     ],
     transitions: &[
         Transition {
-            entrance: Run { start: 0, len: 1 },
-            exit: Run { start: 1, len: 1 },
-            trigger: Condition::All(Run { start: 0, len: 1 }),
+            fires: Condition {
+                terms: Run { start: 0, len: 1 },
+                rest: Rest::Logic(1),
+            },
+            crossing: Crossing::Within {
+                leaves: 1,
+                enters: 2,
+            },
             actions: Run { start: 1, len: 1 },
         },
         Transition {
-            entrance: Run { start: 1, len: 1 },
-            exit: Run { start: 0, len: 1 },
-            trigger: Condition::Code(Code { start: 0, len: 3 }),
+            fires: Condition {
+                terms: Run::EMPTY,
+                rest: Rest::Code(0),
+            },
+            crossing: Crossing::Within {
+                leaves: 2,
+                enters: 1,
+            },
             actions: Run { start: 1, len: 1 },
         },
         Transition {
-            entrance: Run::EMPTY,
-            exit: Run { start: 2, len: 1 },
-            trigger: Condition::Always,
+            fires: Condition::ALWAYS,
+            crossing: Crossing::Within {
+                leaves: 0,
+                enters: 1,
+            },
+            actions: Run { start: 1, len: 1 },
+        },
+        Transition {
+            fires: Condition {
+                terms: Run::EMPTY,
+                rest: Rest::Elapsed(0),
+            },
+            crossing: Crossing::Across {
+                entrance: Run { start: 0, len: 1 },
+                exit: Run { start: 1, len: 1 },
+            },
+            actions: Run { start: 1, len: 1 },
+        },
+        Transition {
+            fires: Condition {
+                terms: Run::EMPTY,
+                rest: Rest::Running(1),
+            },
+            crossing: Crossing::Across {
+                entrance: Run { start: 1, len: 1 },
+                exit: Run { start: 0, len: 1 },
+            },
             actions: Run { start: 1, len: 1 },
         },
     ],
-    links: &[Bit(64), Bit(65), Bit(96), Bit(160)],
-    armed_by: &[0, 1, 2],
-    situations: &[1, 1, 5],
+    links: &[Bit(128), Bit(160)],
+    arms: &[
+        Arm {
+            transition: 0,
+            word: 0,
+            mask: 1073741825,
+            state: 1,
+        },
+        Arm {
+            transition: 1,
+            word: 1,
+            mask: 0,
+            state: 0,
+        },
+        Arm {
+            transition: 2,
+            word: 1,
+            mask: 0,
+            state: 0,
+        },
+        Arm {
+            transition: 3,
+            word: 1,
+            mask: 0,
+            state: 0,
+        },
+        Arm {
+            transition: 4,
+            word: 1,
+            mask: 0,
+            state: 0,
+        },
+    ],
+    situations: &[1, 1, 5, 1, 0],
     enclosings: &[
         Enclosing {
             step: Bit(65),
@@ -129,39 +402,55 @@ pub static PROGRAM: Program<'static> = Program {
             graph: 1,
             rank: 0,
             situation: Forced::Current,
-            condition: Condition::Always,
+            condition: Condition::ALWAYS,
         },
         Order {
             graph: 0,
             rank: 1,
             situation: Forced::Set(2),
-            condition: Condition::Always,
+            condition: Condition::ALWAYS,
         },
     ],
+    sources: &[1],
+    lasting_in_steps: true,
+    momentary_varies: true,
+    stores_on_change: true,
     stored: &[
         Stored {
             assignment: Assignment::Bit(
-                Bit(192),
-                Condition::Code(Code { start: 0, len: 3 }),
+                Bit(256),
+                Condition {
+                    terms: Run::EMPTY,
+                    rest: Rest::Code(0),
+                },
             ),
-            condition: Condition::Always,
+            condition: Condition::ALWAYS,
         },
         Stored {
             assignment: Assignment::Number(Number(3), Code { start: 1, len: 1 }),
-            condition: Condition::Code(Code { start: 0, len: 3 }),
+            condition: Condition {
+                terms: Run::EMPTY,
+                rest: Rest::Code(0),
+            },
         },
     ],
     events: &[
         Event {
-            event: Bit(194),
+            event: Bit(258),
             stored: Run { start: 1, len: 1 },
         },
     ],
     always_stored: Run { start: 0, len: 1 },
+    targets: &[
+        Target {
+            word: 7,
+            mask: 2147483649,
+        },
+    ],
     momentary: &[
         Momentary {
-            targets: Run { start: 3, len: 1 },
-            condition: Condition::Always,
+            targets: Run { start: 0, len: 1 },
+            condition: Condition::ALWAYS,
         },
     ],
     always_momentary: Run::EMPTY,
@@ -169,59 +458,82 @@ pub static PROGRAM: Program<'static> = Program {
         Dependent {
             owner: Some(Bit(64)),
             statement: Momentary {
-                targets: Run { start: 3, len: 1 },
-                condition: Condition::Code(Code { start: 0, len: 3 }),
+                targets: Run { start: 0, len: 1 },
+                condition: Condition {
+                    terms: Run::EMPTY,
+                    rest: Rest::Code(0),
+                },
             },
         },
         Dependent {
             owner: None,
             statement: Momentary {
-                targets: Run { start: 3, len: 1 },
-                condition: Condition::Code(Code { start: 3, len: 36 }),
+                targets: Run { start: 0, len: 1 },
+                condition: Condition {
+                    terms: Run::EMPTY,
+                    rest: Rest::Code(2),
+                },
             },
+        },
+    ],
+    edges: &[
+        Edges {
+            word: 1,
+            last: 10,
+            rising: 11,
+            falling: 12,
         },
     ],
     watches: &[
         Watch::Edge {
-            operand: Condition::All(Run { start: 0, len: 1 }),
+            operand: Condition {
+                terms: Run { start: 0, len: 1 },
+                rest: Rest::Logic(1),
+            },
             edge: Edge::Rising,
-            last: Bit(193),
-            result: Bit(194),
+            last: Bit(257),
+            result: Bit(258),
             from_false: true,
         },
         Watch::Edge {
-            operand: Condition::All(Run { start: 0, len: 1 }),
+            operand: Condition {
+                terms: Run { start: 0, len: 1 },
+                rest: Rest::Logic(1),
+            },
             edge: Edge::Falling,
-            last: Bit(195),
-            result: Bit(196),
+            last: Bit(259),
+            result: Bit(260),
             from_false: false,
         },
         Watch::Timer {
-            enable: Condition::Code(Code { start: 0, len: 3 }),
+            enable: Condition {
+                terms: Run::EMPTY,
+                rest: Rest::Code(0),
+            },
             preset: Code { start: 1, len: 1 },
             unit: Unit::Seconds,
-            last: Bit(197),
+            last: Bit(261),
             risen: Stamp(1),
-            result: Bit(198),
+            result: Bit(262),
         },
         Watch::OnDelay {
-            enable: Condition::Always,
+            enable: Condition::ALWAYS,
             delay: Code { start: 1, len: 1 },
-            last: Bit(199),
+            last: Bit(263),
             risen: Stamp(2),
-            result: Bit(200),
+            result: Bit(264),
         },
         Watch::OffDelay {
-            on: Condition::Always,
+            on: Condition::ALWAYS,
             hold: Code { start: 1, len: 1 },
-            last: Bit(201),
+            last: Bit(265),
             fallen: Stamp(3),
-            result: Bit(202),
+            result: Bit(266),
         },
         Watch::Value {
-            condition: Condition::Always,
+            condition: Condition::ALWAYS,
             gate: Some(Bit(64)),
-            result: Bit(203),
+            result: Bit(267),
         },
     ],
     trigger_watches: Run { start: 0, len: 2 },
@@ -234,10 +546,31 @@ pub static PROGRAM: Program<'static> = Program {
             state: 1,
         },
     ],
+    timers: &[
+        Timer {
+            step: Bit(64),
+            activated: Stamp(0),
+            preset: Preset::Constant(500),
+        },
+        Timer {
+            step: Bit(64),
+            activated: Stamp(0),
+            preset: Preset::Number(Number(3), Unit::Seconds),
+        },
+    ],
+    codes: &[
+        Code { start: 0, len: 3 },
+        Code { start: 3, len: 4 },
+        Code { start: 7, len: 36 },
+    ],
     ops: &[
         Op::Number(Number(3)),
         Op::Constant(5),
         Op::Less,
+        Op::Bit(Bit(32)),
+        Op::Not,
+        Op::Elapsed(1),
+        Op::Or,
         Op::Constant(-2147483648),
         Op::Constant(-1),
         Op::And,
@@ -305,10 +638,10 @@ pub static PROGRAM: Program<'static> = Program {
             max: 9,
         },
     ],
-    initially_true: &[Bit(192)],
+    initially_true: &[Bit(256)],
     retained: &[
         Retained {
-            slot: Slot::Bit(Bit(192)),
+            slot: Slot::Bit(Bit(256)),
             key: 4294967295,
         },
         Retained {
@@ -319,16 +652,25 @@ pub static PROGRAM: Program<'static> = Program {
 };
 #[allow(long_running_const_eval)]
 const _: () = grafcet_core::soundness::demand(&PROGRAM);
+/// The program for an engine that is compiled for it alone.
+#[derive(Clone, Copy, Debug)]
+pub struct Application;
+impl Compiled for Application {
+    #[inline(always)]
+    fn program(&self) -> &Program<'_> {
+        &PROGRAM
+    }
+}
 /// What the program calls its things.
 pub static NAMES: Names<'static> = Names {
     application: "every_row",
-    graphs: &["G", "H"],
-    steps: &["1", "E2", "S3", "1"],
-    transitions: &[1, 2, 7],
+    graphs: &["G", "H", "I"],
+    steps: &["1", "E2", "S3", "1", "1"],
+    transitions: &[1, 2, 7, 8, 9],
     retained: &["Locked", "G:température"],
 };
 /// The memory of the program.
-pub type Storage = grafcet_core::memory::Storage<8, 4, 3, 4, 2, 1, 2>;
+pub type Storage = grafcet_core::memory::Storage<13, 4, 5, 5, 4, 2, 1, 0, 3>;
 const _: () = assert!(Storage::is_sized_for(& PROGRAM));
 /// The plants, with the wires between their images and the controller's.
 pub static PLANTS: [PlantTables; 1] = [
@@ -339,17 +681,20 @@ pub static PLANTS: [PlantTables; 1] = [
             evolution: Evolution::Stable,
             fingerprint: 4276993775,
             layout: Layout {
-                words: 8,
+                words: 13,
                 inputs: Run { start: 1, len: 1 },
-                situations: Run { start: 2, len: 2 },
-                macros: Run { start: 4, len: 1 },
-                momentary: Run { start: 5, len: 1 },
+                situations: Run { start: 2, len: 4 },
+                macros: Run { start: 6, len: 1 },
+                momentary: Run { start: 7, len: 1 },
                 number_inputs: Run { start: 2, len: 1 },
-                outside: Run { start: 7, len: 1 },
+                outside: Run { start: 9, len: 1 },
                 numbers: 4,
                 stamps: 4,
                 stack: 2,
                 fired: 1,
+                passed: 1,
+                remembered: 5,
+                standings: 3,
             },
             graphs: &[
                 Graph {
@@ -376,12 +721,239 @@ pub static PLANTS: [PlantTables; 1] = [
                     watches: Run::EMPTY,
                     self_watches: Run::EMPTY,
                 },
+                Graph {
+                    steps: Run { start: 4, len: 33 },
+                    words: Run { start: 4, len: 2 },
+                    transitions: Run { start: 3, len: 2 },
+                    sources: Run::EMPTY,
+                    initial: 3,
+                    enclosings: Run::EMPTY,
+                    orders: Run::EMPTY,
+                    self_orders: Run::EMPTY,
+                    watches: Run::EMPTY,
+                    self_watches: Run::EMPTY,
+                },
             ],
-            hierarchy: &[0, 1],
+            hierarchy: &[0, 1, 2],
+            blocks: &[
+                Block {
+                    first: 0,
+                    momentary: 7,
+                    duties: 7,
+                },
+                Block {
+                    first: 3,
+                    momentary: 1,
+                    duties: 1,
+                },
+                Block {
+                    first: 4,
+                    momentary: 4294967295,
+                    duties: 4294967295,
+                },
+                Block {
+                    first: 36,
+                    momentary: 1,
+                    duties: 1,
+                },
+            ],
             steps: &[
                 Step {
-                    transitions: Run { start: 0, len: 1 },
+                    arms: Run { start: 0, len: 1 },
                     momentary: Run { start: 0, len: 1 },
+                    duties: 1,
+                },
+                Step {
+                    arms: Run { start: 1, len: 1 },
+                    momentary: Run { start: 0, len: 1 },
+                    duties: 1,
+                },
+                Step {
+                    arms: Run::EMPTY,
+                    momentary: Run { start: 0, len: 1 },
+                    duties: 2,
+                },
+                Step {
+                    arms: Run::EMPTY,
+                    momentary: Run { start: 0, len: 1 },
+                    duties: 1,
+                },
+                Step {
+                    arms: Run { start: 3, len: 1 },
+                    momentary: Run { start: 0, len: 1 },
+                    duties: 1,
+                },
+                Step {
+                    arms: Run::EMPTY,
+                    momentary: Run { start: 0, len: 1 },
+                    duties: 1,
+                },
+                Step {
+                    arms: Run::EMPTY,
+                    momentary: Run { start: 0, len: 1 },
+                    duties: 1,
+                },
+                Step {
+                    arms: Run::EMPTY,
+                    momentary: Run { start: 0, len: 1 },
+                    duties: 1,
+                },
+                Step {
+                    arms: Run::EMPTY,
+                    momentary: Run { start: 0, len: 1 },
+                    duties: 1,
+                },
+                Step {
+                    arms: Run::EMPTY,
+                    momentary: Run { start: 0, len: 1 },
+                    duties: 1,
+                },
+                Step {
+                    arms: Run::EMPTY,
+                    momentary: Run { start: 0, len: 1 },
+                    duties: 1,
+                },
+                Step {
+                    arms: Run::EMPTY,
+                    momentary: Run { start: 0, len: 1 },
+                    duties: 1,
+                },
+                Step {
+                    arms: Run::EMPTY,
+                    momentary: Run { start: 0, len: 1 },
+                    duties: 1,
+                },
+                Step {
+                    arms: Run::EMPTY,
+                    momentary: Run { start: 0, len: 1 },
+                    duties: 1,
+                },
+                Step {
+                    arms: Run::EMPTY,
+                    momentary: Run { start: 0, len: 1 },
+                    duties: 1,
+                },
+                Step {
+                    arms: Run::EMPTY,
+                    momentary: Run { start: 0, len: 1 },
+                    duties: 1,
+                },
+                Step {
+                    arms: Run::EMPTY,
+                    momentary: Run { start: 0, len: 1 },
+                    duties: 1,
+                },
+                Step {
+                    arms: Run::EMPTY,
+                    momentary: Run { start: 0, len: 1 },
+                    duties: 1,
+                },
+                Step {
+                    arms: Run::EMPTY,
+                    momentary: Run { start: 0, len: 1 },
+                    duties: 1,
+                },
+                Step {
+                    arms: Run::EMPTY,
+                    momentary: Run { start: 0, len: 1 },
+                    duties: 1,
+                },
+                Step {
+                    arms: Run::EMPTY,
+                    momentary: Run { start: 0, len: 1 },
+                    duties: 1,
+                },
+                Step {
+                    arms: Run::EMPTY,
+                    momentary: Run { start: 0, len: 1 },
+                    duties: 1,
+                },
+                Step {
+                    arms: Run::EMPTY,
+                    momentary: Run { start: 0, len: 1 },
+                    duties: 1,
+                },
+                Step {
+                    arms: Run::EMPTY,
+                    momentary: Run { start: 0, len: 1 },
+                    duties: 1,
+                },
+                Step {
+                    arms: Run::EMPTY,
+                    momentary: Run { start: 0, len: 1 },
+                    duties: 1,
+                },
+                Step {
+                    arms: Run::EMPTY,
+                    momentary: Run { start: 0, len: 1 },
+                    duties: 1,
+                },
+                Step {
+                    arms: Run::EMPTY,
+                    momentary: Run { start: 0, len: 1 },
+                    duties: 1,
+                },
+                Step {
+                    arms: Run::EMPTY,
+                    momentary: Run { start: 0, len: 1 },
+                    duties: 1,
+                },
+                Step {
+                    arms: Run::EMPTY,
+                    momentary: Run { start: 0, len: 1 },
+                    duties: 1,
+                },
+                Step {
+                    arms: Run::EMPTY,
+                    momentary: Run { start: 0, len: 1 },
+                    duties: 1,
+                },
+                Step {
+                    arms: Run::EMPTY,
+                    momentary: Run { start: 0, len: 1 },
+                    duties: 1,
+                },
+                Step {
+                    arms: Run::EMPTY,
+                    momentary: Run { start: 0, len: 1 },
+                    duties: 1,
+                },
+                Step {
+                    arms: Run::EMPTY,
+                    momentary: Run { start: 0, len: 1 },
+                    duties: 1,
+                },
+                Step {
+                    arms: Run::EMPTY,
+                    momentary: Run { start: 0, len: 1 },
+                    duties: 1,
+                },
+                Step {
+                    arms: Run::EMPTY,
+                    momentary: Run { start: 0, len: 1 },
+                    duties: 1,
+                },
+                Step {
+                    arms: Run::EMPTY,
+                    momentary: Run { start: 0, len: 1 },
+                    duties: 1,
+                },
+                Step {
+                    arms: Run { start: 4, len: 1 },
+                    momentary: Run { start: 0, len: 1 },
+                    duties: 1,
+                },
+            ],
+            duties: &[
+                Duties {
+                    stored: Run::EMPTY,
+                    on_activation: Run::EMPTY,
+                    on_deactivation: Run::EMPTY,
+                    on_event: Run::EMPTY,
+                    orders: Run::EMPTY,
+                    activated: None,
+                },
+                Duties {
                     stored: Run { start: 0, len: 1 },
                     on_activation: Run { start: 1, len: 1 },
                     on_deactivation: Run { start: 0, len: 2 },
@@ -389,40 +961,18 @@ pub static PLANTS: [PlantTables; 1] = [
                     orders: Run::EMPTY,
                     activated: Some(Stamp(0)),
                 },
-                Step {
-                    transitions: Run { start: 1, len: 1 },
-                    momentary: Run { start: 0, len: 1 },
-                    stored: Run { start: 0, len: 1 },
-                    on_activation: Run { start: 1, len: 1 },
-                    on_deactivation: Run { start: 0, len: 2 },
-                    on_event: Run { start: 0, len: 1 },
-                    orders: Run::EMPTY,
-                    activated: None,
-                },
-                Step {
-                    transitions: Run { start: 2, len: 0 },
-                    momentary: Run { start: 0, len: 1 },
-                    stored: Run { start: 0, len: 1 },
-                    on_activation: Run { start: 1, len: 1 },
-                    on_deactivation: Run { start: 0, len: 2 },
-                    on_event: Run { start: 0, len: 1 },
+                Duties {
+                    stored: Run::EMPTY,
+                    on_activation: Run::EMPTY,
+                    on_deactivation: Run::EMPTY,
+                    on_event: Run::EMPTY,
                     orders: Run { start: 0, len: 1 },
-                    activated: None,
-                },
-                Step {
-                    transitions: Run { start: 2, len: 0 },
-                    momentary: Run { start: 0, len: 1 },
-                    stored: Run { start: 0, len: 1 },
-                    on_activation: Run { start: 1, len: 1 },
-                    on_deactivation: Run { start: 0, len: 2 },
-                    on_event: Run { start: 0, len: 1 },
-                    orders: Run::EMPTY,
                     activated: None,
                 },
             ],
             macros: &[
                 Macro {
-                    bit: Bit(128),
+                    bit: Bit(192),
                     graph: 0,
                     steps: Run { start: 1, len: 2 },
                     activated: None,
@@ -430,27 +980,92 @@ pub static PLANTS: [PlantTables; 1] = [
             ],
             transitions: &[
                 Transition {
-                    entrance: Run { start: 0, len: 1 },
-                    exit: Run { start: 1, len: 1 },
-                    trigger: Condition::All(Run { start: 0, len: 1 }),
+                    fires: Condition {
+                        terms: Run { start: 0, len: 1 },
+                        rest: Rest::Logic(1),
+                    },
+                    crossing: Crossing::Within {
+                        leaves: 1,
+                        enters: 2,
+                    },
                     actions: Run { start: 1, len: 1 },
                 },
                 Transition {
-                    entrance: Run { start: 1, len: 1 },
-                    exit: Run { start: 0, len: 1 },
-                    trigger: Condition::Code(Code { start: 0, len: 3 }),
+                    fires: Condition {
+                        terms: Run::EMPTY,
+                        rest: Rest::Code(0),
+                    },
+                    crossing: Crossing::Within {
+                        leaves: 2,
+                        enters: 1,
+                    },
                     actions: Run { start: 1, len: 1 },
                 },
                 Transition {
-                    entrance: Run::EMPTY,
-                    exit: Run { start: 2, len: 1 },
-                    trigger: Condition::Always,
+                    fires: Condition::ALWAYS,
+                    crossing: Crossing::Within {
+                        leaves: 0,
+                        enters: 1,
+                    },
+                    actions: Run { start: 1, len: 1 },
+                },
+                Transition {
+                    fires: Condition {
+                        terms: Run::EMPTY,
+                        rest: Rest::Elapsed(0),
+                    },
+                    crossing: Crossing::Across {
+                        entrance: Run { start: 0, len: 1 },
+                        exit: Run { start: 1, len: 1 },
+                    },
+                    actions: Run { start: 1, len: 1 },
+                },
+                Transition {
+                    fires: Condition {
+                        terms: Run::EMPTY,
+                        rest: Rest::Running(1),
+                    },
+                    crossing: Crossing::Across {
+                        entrance: Run { start: 1, len: 1 },
+                        exit: Run { start: 0, len: 1 },
+                    },
                     actions: Run { start: 1, len: 1 },
                 },
             ],
-            links: &[Bit(64), Bit(65), Bit(96), Bit(160)],
-            armed_by: &[0, 1, 2],
-            situations: &[1, 1, 5],
+            links: &[Bit(128), Bit(160)],
+            arms: &[
+                Arm {
+                    transition: 0,
+                    word: 0,
+                    mask: 1073741825,
+                    state: 1,
+                },
+                Arm {
+                    transition: 1,
+                    word: 1,
+                    mask: 0,
+                    state: 0,
+                },
+                Arm {
+                    transition: 2,
+                    word: 1,
+                    mask: 0,
+                    state: 0,
+                },
+                Arm {
+                    transition: 3,
+                    word: 1,
+                    mask: 0,
+                    state: 0,
+                },
+                Arm {
+                    transition: 4,
+                    word: 1,
+                    mask: 0,
+                    state: 0,
+                },
+            ],
+            situations: &[1, 1, 5, 1, 0],
             enclosings: &[
                 Enclosing {
                     step: Bit(65),
@@ -463,39 +1078,55 @@ pub static PLANTS: [PlantTables; 1] = [
                     graph: 1,
                     rank: 0,
                     situation: Forced::Current,
-                    condition: Condition::Always,
+                    condition: Condition::ALWAYS,
                 },
                 Order {
                     graph: 0,
                     rank: 1,
                     situation: Forced::Set(2),
-                    condition: Condition::Always,
+                    condition: Condition::ALWAYS,
                 },
             ],
+            sources: &[1],
+            lasting_in_steps: true,
+            momentary_varies: true,
+            stores_on_change: true,
             stored: &[
                 Stored {
                     assignment: Assignment::Bit(
-                        Bit(192),
-                        Condition::Code(Code { start: 0, len: 3 }),
+                        Bit(256),
+                        Condition {
+                            terms: Run::EMPTY,
+                            rest: Rest::Code(0),
+                        },
                     ),
-                    condition: Condition::Always,
+                    condition: Condition::ALWAYS,
                 },
                 Stored {
                     assignment: Assignment::Number(Number(3), Code { start: 1, len: 1 }),
-                    condition: Condition::Code(Code { start: 0, len: 3 }),
+                    condition: Condition {
+                        terms: Run::EMPTY,
+                        rest: Rest::Code(0),
+                    },
                 },
             ],
             events: &[
                 Event {
-                    event: Bit(194),
+                    event: Bit(258),
                     stored: Run { start: 1, len: 1 },
                 },
             ],
             always_stored: Run { start: 0, len: 1 },
+            targets: &[
+                Target {
+                    word: 7,
+                    mask: 2147483649,
+                },
+            ],
             momentary: &[
                 Momentary {
-                    targets: Run { start: 3, len: 1 },
-                    condition: Condition::Always,
+                    targets: Run { start: 0, len: 1 },
+                    condition: Condition::ALWAYS,
                 },
             ],
             always_momentary: Run::EMPTY,
@@ -503,59 +1134,75 @@ pub static PLANTS: [PlantTables; 1] = [
                 Dependent {
                     owner: Some(Bit(64)),
                     statement: Momentary {
-                        targets: Run { start: 3, len: 1 },
-                        condition: Condition::Code(Code { start: 0, len: 3 }),
+                        targets: Run { start: 0, len: 1 },
+                        condition: Condition {
+                            terms: Run::EMPTY,
+                            rest: Rest::Code(0),
+                        },
                     },
                 },
                 Dependent {
                     owner: None,
                     statement: Momentary {
-                        targets: Run { start: 3, len: 1 },
-                        condition: Condition::Code(Code { start: 3, len: 36 }),
+                        targets: Run { start: 0, len: 1 },
+                        condition: Condition {
+                            terms: Run::EMPTY,
+                            rest: Rest::Code(2),
+                        },
                     },
                 },
             ],
+            edges: &[],
             watches: &[
                 Watch::Edge {
-                    operand: Condition::All(Run { start: 0, len: 1 }),
+                    operand: Condition {
+                        terms: Run { start: 0, len: 1 },
+                        rest: Rest::Logic(1),
+                    },
                     edge: Edge::Rising,
-                    last: Bit(193),
-                    result: Bit(194),
+                    last: Bit(257),
+                    result: Bit(258),
                     from_false: true,
                 },
                 Watch::Edge {
-                    operand: Condition::All(Run { start: 0, len: 1 }),
+                    operand: Condition {
+                        terms: Run { start: 0, len: 1 },
+                        rest: Rest::Logic(1),
+                    },
                     edge: Edge::Falling,
-                    last: Bit(195),
-                    result: Bit(196),
+                    last: Bit(259),
+                    result: Bit(260),
                     from_false: false,
                 },
                 Watch::Timer {
-                    enable: Condition::Code(Code { start: 0, len: 3 }),
+                    enable: Condition {
+                        terms: Run::EMPTY,
+                        rest: Rest::Code(0),
+                    },
                     preset: Code { start: 1, len: 1 },
                     unit: Unit::Seconds,
-                    last: Bit(197),
+                    last: Bit(261),
                     risen: Stamp(1),
-                    result: Bit(198),
+                    result: Bit(262),
                 },
                 Watch::OnDelay {
-                    enable: Condition::Always,
+                    enable: Condition::ALWAYS,
                     delay: Code { start: 1, len: 1 },
-                    last: Bit(199),
+                    last: Bit(263),
                     risen: Stamp(2),
-                    result: Bit(200),
+                    result: Bit(264),
                 },
                 Watch::OffDelay {
-                    on: Condition::Always,
+                    on: Condition::ALWAYS,
                     hold: Code { start: 1, len: 1 },
-                    last: Bit(201),
+                    last: Bit(265),
                     fallen: Stamp(3),
-                    result: Bit(202),
+                    result: Bit(266),
                 },
                 Watch::Value {
-                    condition: Condition::Always,
+                    condition: Condition::ALWAYS,
                     gate: Some(Bit(64)),
-                    result: Bit(203),
+                    result: Bit(267),
                 },
             ],
             trigger_watches: Run { start: 0, len: 2 },
@@ -568,10 +1215,31 @@ pub static PLANTS: [PlantTables; 1] = [
                     state: 1,
                 },
             ],
+            timers: &[
+                Timer {
+                    step: Bit(64),
+                    activated: Stamp(0),
+                    preset: Preset::Constant(500),
+                },
+                Timer {
+                    step: Bit(64),
+                    activated: Stamp(0),
+                    preset: Preset::Number(Number(3), Unit::Seconds),
+                },
+            ],
+            codes: &[
+                Code { start: 0, len: 3 },
+                Code { start: 3, len: 4 },
+                Code { start: 7, len: 36 },
+            ],
             ops: &[
                 Op::Number(Number(3)),
                 Op::Constant(5),
                 Op::Less,
+                Op::Bit(Bit(32)),
+                Op::Not,
+                Op::Elapsed(1),
+                Op::Or,
                 Op::Constant(-2147483648),
                 Op::Constant(-1),
                 Op::And,
@@ -639,10 +1307,10 @@ pub static PLANTS: [PlantTables; 1] = [
                     max: 9,
                 },
             ],
-            initially_true: &[Bit(192)],
+            initially_true: &[Bit(256)],
             retained: &[
                 Retained {
-                    slot: Slot::Bit(Bit(192)),
+                    slot: Slot::Bit(Bit(256)),
                     key: 4294967295,
                 },
                 Retained {
@@ -651,7 +1319,7 @@ pub static PLANTS: [PlantTables; 1] = [
                 },
             ],
         },
-        reads: &[(Slot::Bit(Bit(160)), Slot::Bit(Bit(32)))],
+        reads: &[(Slot::Bit(Bit(224)), Slot::Bit(Bit(32)))],
         writes: &[(Slot::Number(Number(3)), Slot::Number(Number(2)))],
     },
 ];

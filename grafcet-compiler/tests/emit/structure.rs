@@ -1,0 +1,111 @@
+//! The graphs of that controller.
+
+use grafcet_core::program::{
+    Arm, Block, Condition, Crossing, Duties, Graph, Run, Stamp, Step, Transition,
+};
+
+use super::run;
+
+/// Three steps, one step without an entrance, 33 steps.
+pub fn graphs() -> Vec<Graph> {
+    let graph = |steps, words, transitions, initial| Graph {
+        steps,
+        words,
+        transitions,
+        sources: Run::EMPTY,
+        initial,
+        enclosings: Run::EMPTY,
+        orders: Run::EMPTY,
+        self_orders: Run::EMPTY,
+        watches: Run::EMPTY,
+        self_watches: Run::EMPTY,
+    };
+    vec![
+        Graph {
+            self_orders: run(1, 1),
+            ..graph(run(0, 3), run(2, 1), run(0, 2), 0)
+        },
+        Graph {
+            sources: run(2, 1),
+            enclosings: run(0, 1),
+            ..graph(run(3, 1), run(3, 1), run(2, 1), 1)
+        },
+        graph(run(4, 33), run(4, 2), run(3, 2), 3),
+    ]
+}
+
+pub fn block((first, steps): (u16, u32)) -> Block {
+    Block {
+        first,
+        momentary: steps,
+        duties: steps,
+    }
+}
+
+pub fn step(index: u16) -> Step {
+    let arm = [0, 1, 4, 36].iter().position(|step| *step == index);
+    let arms = match arm {
+        Some(place) => run([0, 1, 3, 4][place], 1),
+        None => Run::EMPTY,
+    };
+    Step {
+        arms,
+        momentary: run(0, 1),
+        duties: 1 + u16::from(index == 2),
+    }
+}
+
+pub fn duties() -> Vec<Duties> {
+    let nothing = Duties {
+        stored: Run::EMPTY,
+        on_activation: Run::EMPTY,
+        on_deactivation: Run::EMPTY,
+        on_event: Run::EMPTY,
+        orders: Run::EMPTY,
+        activated: None,
+    };
+    vec![
+        nothing,
+        Duties {
+            stored: run(0, 1),
+            on_activation: run(1, 1),
+            on_deactivation: run(0, 2),
+            on_event: run(0, 1),
+            activated: Some(Stamp(0)),
+            ..nothing
+        },
+        Duties {
+            orders: run(0, 1),
+            ..nothing
+        },
+    ]
+}
+
+pub fn arm(transition: u16) -> Arm {
+    let bits = if transition == 0 { 0x4000_0001 } else { 0 };
+    Arm {
+        transition,
+        word: transition.min(1),
+        mask: bits,
+        state: bits & 1,
+    }
+}
+
+pub fn within(leaves: u32, enters: u32) -> Crossing {
+    Crossing::Within { leaves, enters }
+}
+
+pub fn across(entrance: u16, exit: u16) -> Crossing {
+    Crossing::Across {
+        entrance: run(entrance, 1),
+        exit: run(exit, 1),
+    }
+}
+
+pub fn transition(crossing: Crossing, fires: Condition) -> Transition {
+    Transition {
+        fires,
+        crossing,
+        actions: run(1, 1),
+    }
+}

@@ -1,0 +1,112 @@
+//! Rows that are asked for again are there once.
+
+use grafcet_core::program::{Crossing, Target};
+
+use crate::{graph, tables};
+
+#[test]
+fn equal_conditions_share_their_rows() {
+    let tables = graph(
+        "initial step 1 { M IF a AND b; N IF b AND a; O IF a OR b }\n\
+         transition 1: 1 -> 1 when a AND b\ntransition 2: 1 -> 1 when a OR b",
+    );
+    assert_eq!(tables.terms.len(), 1);
+    assert_eq!((tables.codes.len(), tables.ops.len()), (1, 3));
+    assert_eq!(tables.momentary[0].condition, tables.momentary[1].condition);
+    assert_eq!(tables.momentary[2].condition, tables.transitions[1].fires);
+}
+
+#[test]
+fn the_first_term_of_a_transition_is_in_its_arm_alone() {
+    let tables = graph("initial step 1\ntransition 1: 1 -> 1 when a AND NOT b");
+    assert!(tables.terms.is_empty());
+    let tables =
+        graph("initial step 1\ntransition 1: 1 -> 1 when a AND NOT b AND NOT System:unstable");
+    assert_eq!(tables.terms.len(), 1);
+}
+
+#[test]
+fn equal_timers_of_a_step_are_one_row() {
+    let tables = graph(
+        "initial step 1 { M IF T/X1/2s; N IF NOT T/X1/2s; O IF T/X1/2s OR a }\n\
+         transition 1: 1 -> 1 when T/X1/2s\ntransition 2: 1 -> 1 when T/X1/2 AND a\n\
+         transition 3: 1 -> 1 when T/X1/3s",
+    );
+    assert_eq!(tables.timers.len(), 2);
+}
+
+#[test]
+fn variables_that_become_true_together_share_rows() {
+    let tables = graph(
+        "initial step 1 { M, N }; step 2 { N, M IF a }; step 3 { M }\n\
+         transition 1: 1 -> 2 when a; transition 2: 2 -> 3 when a",
+    );
+    let [both, one] = [0b11, 0b01].map(|mask| Target {
+        word: tables.layout.momentary.start,
+        mask,
+    });
+    assert_eq!(tables.targets, [both, one]);
+    assert_eq!(tables.momentary[0].targets, tables.momentary[1].targets);
+}
+
+#[test]
+fn variables_in_two_words_are_two_targets_of_one_statement() {
+    let names: Vec<String> = (0..40).map(|index| format!("M{index}")).collect();
+    let names = names.join(", ");
+    let tables = tables(&format!(
+        "output {names}\ngraph G {{ initial step 1 {{ {names} }} }}"
+    ));
+    let first = tables.layout.momentary.start;
+    let targets: Vec<_> = tables
+        .targets
+        .iter()
+        .map(|target| (target.word, target.mask))
+        .collect();
+    assert_eq!(targets, [(first, u32::MAX), (first + 1, 0xff)]);
+    assert_eq!(tables.momentary.len(), 1);
+}
+
+#[test]
+fn what_steps_do_alike_is_one_row_and_nothing_is_the_first() {
+    let tables = graph(
+        "initial step 1; step 2 { M }; step 3; step 4; step 5 { n = 1 }\n\
+         transition 1: 1 -> 2 when a; transition 2: 2 -> 3 when a; transition 3: 3 -> 4 when T/X3/1s\n\
+         transition 4: 4 -> 5 when a; transition 5: 5 -> 1 when a",
+    );
+    let duties: Vec<u16> = tables.steps.iter().map(|step| step.duties).collect();
+    assert_eq!(duties, [0, 0, 1, 0, 2]);
+    assert_eq!(tables.duties.len(), 3);
+    assert_eq!(tables.blocks[0].duties, 0b10100);
+    assert_eq!(tables.blocks[0].momentary, 0b00010);
+}
+
+#[test]
+fn a_graph_of_one_word_needs_no_links() {
+    let chain = |steps: u32| {
+        let chain: String = (2..=steps)
+            .map(|step| {
+                format!(
+                    "step {step}; transition {step}: {} -> {step} when a\n",
+                    step - 1
+                )
+            })
+            .collect();
+        graph(&format!("initial step 1\n{chain}"))
+    };
+    let small = chain(32);
+    assert!(small.links.is_empty());
+    let last = Crossing::Within {
+        leaves: 1 << 30,
+        enters: 1 << 31,
+    };
+    assert_eq!(small.transitions[30].crossing, last);
+    assert_eq!(small.blocks.len(), 1);
+    let large = chain(33);
+    assert!(matches!(
+        large.transitions[0].crossing,
+        Crossing::Across { .. }
+    ));
+    assert_eq!(large.links.len(), 64);
+    let firsts: Vec<u16> = large.blocks.iter().map(|block| block.first).collect();
+    assert_eq!(firsts, [0, 32]);
+}
