@@ -41,7 +41,7 @@ pub fn full_name((graph, name): Qualified<'_>) -> String {
 pub fn stimulus(random: &mut Random, program: &Program<'_>, scans: usize) -> Vec<Scan> {
     let restless = *random.pick(&[10, 30, 50]);
     // Scans in which nothing is new, so that the engine has idle ones.
-    let calm = *random.pick(&[0, 0, 0, 0, 0, 70]);
+    let calm = *random.pick(&[0, 0, 0, 0, 0, 0, 0, 70]);
     let late = random.chance(30);
     let power_cycles = *random.pick(&[0, 0, 0, 2, 20]);
     let inputs = program.inputs().into_iter().map(|name| (name, restless));
