@@ -6,7 +6,7 @@ use crate::lexer::token::{Keyword, TokenKind};
 use crate::literals;
 
 use super::cursor::{Failed, Parsed, Parser};
-use super::recovery::Room;
+use super::recovery::{LOOKAHEAD, Room};
 use super::statements::Place;
 
 /// How elements are kept apart.
@@ -288,7 +288,7 @@ impl Parser<'_> {
                 self.error(span, "a trigger does not begin with `IF`", "write `when`");
                 self.bump();
             } else if !self.eat(TokenKind::Keyword(Keyword::When)) {
-                let in_line = (self.index..).map(|index| self.token(index));
+                let in_line = (self.index..self.index + LOOKAHEAD).map(|index| self.token(index));
                 let mut in_line = in_line
                     .take_while(|token| !token.newline && token.kind != TokenKind::EndOfFile);
                 let when =
