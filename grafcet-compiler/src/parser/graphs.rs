@@ -6,7 +6,7 @@ use crate::lexer::token::{Keyword, TokenKind};
 use crate::literals;
 
 use super::cursor::{Failed, Parsed, Parser};
-use super::recovery::Room;
+use super::recovery::{LOOKAHEAD, Room};
 use super::statements::Place;
 
 /// How elements are kept apart.
@@ -59,7 +59,7 @@ impl Parser<'_> {
     }
 
     /// Takes what stands behind a graph as part of it, up to the next `}` or to something else.
-    pub(super) fn go_on(&mut self, graph: &mut Graph) {
+    pub(super) fn graph_goes_on(&mut self, graph: &mut Graph) {
         let mut read = |parser: &mut Self| parser.element(Body::Graph);
         let more = self.parts(&body_of(&graph.name.text), None, &mut read);
         graph.elements.extend(more);
@@ -184,7 +184,11 @@ impl Parser<'_> {
     /// `macro step M5 "text" { .. }`.
     fn macro_step(&mut self) -> Parsed<Macro> {
         let start = self.bump();
-        self.expect(TokenKind::Keyword(Keyword::Step), "`step` behind `macro`")?;
+        const STEP: TokenKind = TokenKind::Keyword(Keyword::Step);
+        if self.expect(STEP, "`step` behind `macro`").is_err() && self.peek_second() == STEP {
+            self.bump();
+            self.bump();
+        }
         let id = self.declared_step("the identifier of the macro step")?;
         let text = self.text_if_any();
         let elements = self.body(Body::Macro, &format!("macro step `{}`", id.text))?;
@@ -284,7 +288,7 @@ impl Parser<'_> {
                 self.error(span, "a trigger does not begin with `IF`", "write `when`");
                 self.bump();
             } else if !self.eat(TokenKind::Keyword(Keyword::When)) {
-                let in_line = (self.index..).map(|index| self.token(index));
+                let in_line = (self.index..self.index + LOOKAHEAD).map(|index| self.token(index));
                 let mut in_line = in_line
                     .take_while(|token| !token.newline && token.kind != TokenKind::EndOfFile);
                 let when =

@@ -36,7 +36,7 @@ impl Parser<'_> {
                 }
                 _ => {}
             }
-            if self.goes_on_with_graph(&mut file) {
+            if self.goes_on(&mut file) {
                 continue;
             }
             match self.file_part(&mut file) {
@@ -52,31 +52,34 @@ impl Parser<'_> {
         }
     }
 
-    /// Steps and transitions right behind a graph: a `}` closed it too early. They are taken as part of it, so that
-    /// what they name is known.
-    fn goes_on_with_graph(&mut self, file: &mut File) -> bool {
-        let TokenKind::Keyword(word) = self.peek() else {
-            return false;
-        };
-        let Some(Item::Graph(graph) | Item::Template(graph) | Item::Plant(graph)) =
-            file.items.last_mut()
-        else {
-            return false;
-        };
-        if !word.begins_graph_part_only() {
-            return false;
-        }
+    /// What belongs to a graph or a test, right behind one: a `}` closed it too early. It is taken as part of it, so
+    /// that nothing else is said of it.
+    fn goes_on(&mut self, file: &mut File) -> bool {
         let message = format!("expected {WHAT}, found {}", self.found());
-        let closed = Span {
-            start: graph.span.end.saturating_sub(1),
-            ..graph.span
+        let here = self.span_here();
+        let closed = |span: Span| Span {
+            start: span.end.saturating_sub(1),
+            ..span
         };
-        let diagnostic = Diagnostic::new(Rule::Syntax, self.span_here(), message)
-            .label(closed, format!("`{}` is closed here", graph.name.text))
-            .help(INSIDE);
-        self.push(diagnostic);
-        self.go_on(graph);
-        true
+        let diagnostic = Diagnostic::new(Rule::Syntax, here, message);
+        match (self.peek(), file.items.last_mut()) {
+            (
+                TokenKind::Keyword(word),
+                Some(Item::Graph(graph) | Item::Template(graph) | Item::Plant(graph)),
+            ) if word.begins_graph_part_only() => {
+                let what = format!("`{}` is closed here", graph.name.text);
+                self.push(diagnostic.label(closed(graph.span), what).help(INSIDE));
+                self.graph_goes_on(graph);
+                true
+            }
+            (TokenKind::Name, Some(Item::Test(test))) if self.at_test_step() => {
+                let what = "the test is closed here";
+                self.push(diagnostic.label(closed(test.span), what));
+                self.test_goes_on(test);
+                true
+            }
+            _ => false,
+        }
     }
 
     /// One import, option or item.

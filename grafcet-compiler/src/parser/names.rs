@@ -8,6 +8,7 @@ use crate::literals::{self, BadLiteral};
 use crate::source::Span;
 
 use super::cursor::{Parsed, Parser};
+use super::recovery::LOOKAHEAD;
 
 /// `X` and digits: the bit of a numbered step, never a name of one's own.
 pub(super) fn is_step_bit(name: &str) -> bool {
@@ -249,7 +250,7 @@ impl Parser<'_> {
 
     /// Steps and a `}` follow, so that only the `{` of a set is missing.
     fn before_rest_of_set(&self) -> bool {
-        let rest = (self.index..).map(|index| self.token(index));
+        let rest = (self.index..self.index + LOOKAHEAD).map(|index| self.token(index));
         let mut behind = rest.skip_while(|token| {
             let of_a_set = matches!(
                 token.kind,

@@ -6,6 +6,14 @@ use crate::lexer::token::{Keyword, TokenKind};
 use super::cursor::{Failed, Parsed, Parser};
 use super::recovery::Room;
 
+/// The braces of a test.
+const STEPS: Room = Room {
+    name: "this test",
+    advice: "separate the steps of a test by `;` or a new line",
+    is_foreign: |word| word.begins_element() && word != Keyword::Always,
+    keeps_unfinished: false,
+};
+
 impl Parser<'_> {
     /// `property "text": never e`.
     pub(super) fn property(&mut self) -> Parsed<Property> {
@@ -57,15 +65,23 @@ impl Parser<'_> {
         if with || self.at(TokenKind::Name) {
             test.plants = self.list(|parser| parser.name("the name of a plant"))?;
         }
-        let room = Room {
-            name: "this test",
-            advice: "separate the steps of a test by `;` or a new line",
-            is_foreign: |word| word.begins_element() && word != Keyword::Always,
-            keeps_unfinished: false,
-        };
-        test.steps = self.room(&room, Self::test_step)?;
+        test.steps = self.room(&STEPS, Self::test_step)?;
         test.span = self.span_since(start);
         Ok(test)
+    }
+
+    /// Takes what stands behind a test as part of it, up to the next `}` or to something else.
+    pub(super) fn test_goes_on(&mut self, test: &mut Test) {
+        let more = self.parts(&STEPS, None, &mut Self::test_step);
+        test.steps.extend(more);
+    }
+
+    /// A word that begins a step of a test comes next.
+    pub(super) fn at_test_step(&self) -> bool {
+        const WORDS: [&str; 8] = [
+            "set", "clear", "release", "pulse", "wait", "expect", "never", "power",
+        ];
+        WORDS.into_iter().any(|word| self.at_word(word))
     }
 
     fn test_step(&mut self) -> Parsed<TestStep> {

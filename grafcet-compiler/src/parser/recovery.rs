@@ -18,6 +18,9 @@ pub(super) struct Room<'a> {
     pub(super) keeps_unfinished: bool,
 }
 
+/// So many tokens are looked at to guess what was meant, so that a long line takes no long time.
+pub(super) const LOOKAHEAD: usize = 1000;
+
 impl Parser<'_> {
     /// `{ .. }` with parts that `read` reads. Errors in it are dealt with inside: only a missing `{` fails.
     pub(super) fn room<T>(
@@ -119,8 +122,7 @@ impl Parser<'_> {
     /// Where a `{` is missing, goes to what it would have opened: behind a `{` further on in the line, before what a
     /// `}` in the line closes, or to the next line when that stands deeper. Nothing when none of these is there.
     fn find_inside(&mut self) -> Option<()> {
-        let mut index = self.index;
-        loop {
+        for index in self.index..self.index + LOOKAHEAD {
             let token = self.token(index);
             match token.kind {
                 TokenKind::LeftBrace if !token.newline => {
@@ -135,9 +137,10 @@ impl Parser<'_> {
                     self.index = if deeper { index } else { self.index };
                     return deeper.then_some(());
                 }
-                _ => index += 1,
+                _ => {}
             }
         }
+        None
     }
 
     /// Says that a brace is open where the file ends or something else begins, and takes it as closed.
