@@ -8,7 +8,7 @@ use grafcet_compiler::application::{self, Application, Claim, Test, TestStepKind
 use grafcet_compiler::{Target, compile};
 use grafcet_core::engine::Engine;
 use grafcet_core::program::Program;
-use plc::application::{Application, INPUTS, OUTPUTS, PLANTS, PROGRAM, Storage};
+use plc::application::{INPUTS, OUTPUTS, PLANTS, PROGRAM, Storage, ThisProgram};
 use plc::boards::host::machine::{Machine, Parts};
 use plc::boards::host::script::{Next, Outcome, Place, Script, Step, StepKind};
 
@@ -102,7 +102,7 @@ fn play(script: &'static Script) -> Outcome {
 
 /// Runs a controller without filters from power-on until the machine asks for something else than a scan.
 fn run(machine: &mut Machine, retained: &mut Vec<i32>) -> Next {
-    let mut engine = Engine::new(Application, Storage::new());
+    let mut engine = Engine::new(ThisProgram, Storage::new());
     for (row, value) in PROGRAM.retained.iter().zip(retained.iter()) {
         engine.restore(row.slot, *value);
     }
@@ -115,7 +115,9 @@ fn run(machine: &mut Machine, retained: &mut Vec<i32>) -> Next {
         }
         match time_ms {
             0 => engine.start(),
-            _ => engine.scan(time_ms),
+            _ => {
+                engine.scan(time_ms);
+            }
         }
         time_ms += u64::from(PROGRAM.period_ms);
         let view = engine.images();

@@ -9,8 +9,8 @@ use grafcet_core::engine::Engine;
 use grafcet_core::memory::Memory;
 use grafcet_core::program::Compiled;
 use plc::application::{
-    Application, DEMONSTRATION, INPUT_LABELS, INPUTS, OUTPUT_LABELS, OUTPUTS, PLANTS, PROGRAM,
-    Storage,
+    DEMONSTRATION, INPUT_LABELS, INPUTS, OUTPUT_LABELS, OUTPUTS, PLANTS, PROGRAM, Storage,
+    ThisProgram,
 };
 use plc::boards::host::machine::{Machine, Parts};
 use plc::boards::host::server::{Error, Terminals, serve};
@@ -64,7 +64,7 @@ impl Elsewhere {
 
     /// Runs from power-on until something else than a scan is asked for.
     fn run(&mut self, retained: &mut Vec<i32>) -> String {
-        let mut engine = Engine::new(Application, Storage::new());
+        let mut engine = Engine::new(ThisProgram, Storage::new());
         for (row, value) in PROGRAM.retained.iter().zip(retained.iter()) {
             engine.restore(row.slot, *value);
         }

@@ -32,9 +32,9 @@ pub fn program(application: &Application) -> TokenStream {
 
         /// The program for an engine that is compiled for it alone.
         #[derive(Clone, Copy, Debug)]
-        pub struct Application;
+        pub struct ThisProgram;
 
-        impl Compiled for Application {
+        impl Compiled for ThisProgram {
             #[inline(always)]
             fn program(&self) -> &Program<'_> {
                 &PROGRAM

@@ -38,7 +38,7 @@ fn the_source_has_the_value_of_the_tables() {
 #[test]
 fn the_type_for_an_engine_of_its_own_knows_the_program() {
     assert!(std::ptr::eq(
-        written::Application.program(),
+        written::ThisProgram.program(),
         &raw const written::PROGRAM
     ));
 }

@@ -6,7 +6,7 @@ use grafcet_compiler::ast::{
     ScanOption, Situation, StatementKind, StepRole, Trigger, Type, Unary,
 };
 use grafcet_core::program::{
-    Assignment, Condition, Edge, Evolution, Forced, Op, Slot, Unit, Watch,
+    Assignment, Crossing, Edge, Evolution, Forced, Op, Preset, Rest, Slot, Unit, Watch,
 };
 
 /// What has a name here.
@@ -161,15 +161,27 @@ kinds! { tables:
         Self::Bit(_) => "Slot::Bit",
         Self::Number(_) => "Slot::Number",
     }
-    Condition {
-        Self::Always => "Condition::Always",
-        Self::All(_) => "Condition::All",
-        Self::Code(_) => "Condition::Code",
+    Rest {
+        Self::None => "Rest::None",
+        Self::Elapsed(_) => "Rest::Elapsed",
+        Self::Running(_) => "Rest::Running",
+        Self::Code(_) => "Rest::Code",
+        Self::Logic(_) => "Rest::Logic",
+    }
+    Preset {
+        Self::Constant(_) => "Preset::Constant",
+        Self::Number(_, Unit::Milliseconds) => "Preset::Number in ms",
+        Self::Number(_, Unit::Seconds) => "Preset::Number in s",
+    }
+    Crossing {
+        Self::Within { .. } => "Crossing::Within",
+        Self::Across { .. } => "Crossing::Across",
     }
     Op {
         Self::Constant(_) => "Op::Constant",
         Self::Bit(_) => "Op::Bit",
         Self::Number(_) => "Op::Number",
+        Self::Elapsed(_) => "Op::Elapsed",
         Self::Not => "Op::Not",
         Self::And => "Op::And",
         Self::Or => "Op::Or",

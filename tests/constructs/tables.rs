@@ -26,6 +26,10 @@ pub const FEATURES: &[&str] = &[
     "retained Boolean",
     "retained number",
     "True before scan 0",
+    "edges of inputs",
+    "source transition",
+    "first term of a transition",
+    "terms",
 ];
 
 /// Looks over the tables of a program.
@@ -35,11 +39,17 @@ pub fn look(program: &Program<'_>, seen: &mut Seen) {
     program.watches.iter().for_each(|it| watch(it, seen));
     program.stored.iter().for_each(|it| stored(it, seen));
     program.orders.iter().for_each(|it| order(it, seen));
-    let triggers = program.transitions.iter().map(|it| it.trigger);
+    for transition in program.transitions {
+        seen.insert(transition.crossing.name());
+    }
+    for timer in program.timers {
+        seen.insert(timer.preset.name());
+    }
+    let triggers = program.transitions.iter().map(|it| it.fires);
     let momentary = program.momentary.iter().map(|it| it.condition);
     let dependent = program.dependent.iter().map(|it| it.statement.condition);
-    for condition in triggers.chain(momentary).chain(dependent) {
-        seen.insert(condition.name());
+    for it in triggers.chain(momentary).chain(dependent) {
+        condition(&it, seen);
     }
     seen.extend(
         features(program)
@@ -49,8 +59,8 @@ pub fn look(program: &Program<'_>, seen: &mut Seen) {
     );
 }
 
-fn features(program: &Program<'_>) -> [(&'static str, bool); 19] {
-    let (graphs, steps) = (program.graphs, program.steps);
+fn features(program: &Program<'_>) -> [(&'static str, bool); 22] {
+    let (graphs, steps, duties) = (program.graphs, program.steps, program.duties);
     let retained = |number: bool| {
         let rows = program.retained.iter();
         rows.filter(|row| matches!(row.slot, Slot::Number(_)) == number)
@@ -60,7 +70,7 @@ fn features(program: &Program<'_>) -> [(&'static str, bool); 19] {
     let owned = program.dependent.iter().any(|it| it.owner.is_some());
     let ownerless = program.dependent.iter().any(|it| it.owner.is_none());
     [
-        ("order of a step", steps.iter().any(|it| it.orders.len > 0)),
+        ("order of a step", duties.iter().any(|it| it.orders.len > 0)),
         (
             "order of a stand-alone action",
             graphs.iter().any(|it| it.orders.len > 0),
@@ -92,7 +102,7 @@ fn features(program: &Program<'_>) -> [(&'static str, bool); 19] {
             "macro timed",
             program.macros.iter().any(|it| it.activated.is_some()),
         ),
-        ("step timed", steps.iter().any(|it| it.activated.is_some())),
+        ("step timed", duties.iter().any(|it| it.activated.is_some())),
         (
             "momentary of a step",
             steps.iter().any(|it| it.momentary.len > 0),
@@ -106,7 +116,20 @@ fn features(program: &Program<'_>) -> [(&'static str, bool); 19] {
         ("retained Boolean", retained(false)),
         ("retained number", retained(true)),
         ("True before scan 0", !program.initially_true.is_empty()),
+        ("edges of inputs", !program.edges.is_empty()),
+        ("source transition", !program.sources.is_empty()),
+        (
+            "first term of a transition",
+            program.arms.iter().any(|it| it.mask != 0),
+        ),
     ]
+}
+
+fn condition(condition: &Condition, seen: &mut Seen) {
+    seen.insert(condition.rest.name());
+    if condition.terms.len > 0 {
+        seen.insert("terms");
+    }
 }
 
 fn operation(op: &Op, seen: &mut Seen) {
@@ -131,11 +154,11 @@ fn watch(watch: &Watch, seen: &mut Seen) {
         Watch::OffDelay { on, .. } => *on,
         Watch::Value { condition, .. } => *condition,
     };
-    seen.insert(operand.name());
+    condition(&operand, seen);
 }
 
 fn stored(statement: &Stored, seen: &mut Seen) {
-    seen.insert(statement.condition.name());
+    condition(&statement.condition, seen);
     seen.insert(statement.assignment.name());
     let slot = match statement.assignment {
         Assignment::Bit(bit, _) => Slot::Bit(bit),
@@ -146,5 +169,5 @@ fn stored(statement: &Stored, seen: &mut Seen) {
 
 fn order(order: &Order, seen: &mut Seen) {
     seen.insert(order.situation.name());
-    seen.insert(order.condition.name());
+    condition(&order.condition, seen);
 }

@@ -9,7 +9,7 @@ mod program {
     #![allow(unused)]
     include!(concat!(env!("OUT_DIR"), "/program.rs"));
 }
-use program::{Application, INPUTS, OUTPUTS, Storage};
+use program::{INPUTS, OUTPUTS, Storage, ThisProgram};
 
 /// The first 32 Boolean inputs, in declaration order from bit 0.
 #[unsafe(no_mangle)]
@@ -21,14 +21,14 @@ pub static mut bench_out: u32 = 0;
 #[unsafe(no_mangle)]
 pub static mut bench_now_ms: u32 = 0;
 
-type Controller = Engine<Application, Storage>;
+type Controller = Engine<ThisProgram, Storage>;
 static mut ENGINE: MaybeUninit<Controller> = MaybeUninit::uninit();
 
 /// Scan 0.
 #[unsafe(no_mangle)]
 pub extern "C" fn bench_init() {
     unsafe {
-        let engine = (*addr_of_mut!(ENGINE)).write(Engine::new(Application, Storage::new()));
+        let engine = (*addr_of_mut!(ENGINE)).write(Engine::new(ThisProgram, Storage::new()));
         sample(engine);
         engine.start();
         write(engine);

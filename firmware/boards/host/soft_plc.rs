@@ -22,7 +22,7 @@ use super::machine::Machine;
 use super::panel::Panel;
 use super::pins::{Input, Output};
 use super::script::{Next, Outcome};
-use crate::application::{Application, INPUTS, NAMES, OUTPUTS, PROGRAM, RETAIN, Storage};
+use crate::application::{INPUTS, NAMES, OUTPUTS, PROGRAM, RETAIN, Storage, ThisProgram};
 use crate::boot::{Cause, boot};
 use crate::input::Inputs;
 use crate::log::Observer;
@@ -65,7 +65,7 @@ pub async fn run(machine: Machine, retain: &Path) -> io::Result<Outcome> {
 /// Runs the controller from power-on until the machine asks for something else than a scan.
 async fn power_on(board: SoftPlc<'_>, retain: &Path) -> io::Result<()> {
     let (panel, moved) = (board.panel, board.moved);
-    let mut engine = Engine::new(Application, Storage::new());
+    let mut engine = Engine::new(ThisProgram, Storage::new());
     let mut store = Store::new(FlashFile::open(retain, RETAIN)?, RETAIN);
     boot(&mut engine, &NAMES, &mut store, Cause::PowerOn).await;
     let stored: [i32; RETAINED] = snapshot(&engine);

@@ -23,7 +23,7 @@ use grafcet_core::memory::Memory;
 use grafcet_core::program::Compiled;
 
 use crate::application::{
-    Application, INPUTS, NAMES, OUTPUTS, PROGRAM, RETAIN, Storage, WATCHDOG_MS, board_pins,
+    INPUTS, NAMES, OUTPUTS, PROGRAM, RETAIN, Storage, ThisProgram, WATCHDOG_MS, board_pins,
 };
 use crate::boot::boot;
 use crate::input::Inputs;
@@ -61,7 +61,7 @@ static SCAN_EXECUTOR: InterruptExecutor = InterruptExecutor::new();
 
 type PicoController = Controller<
     'static,
-    Application,
+    ThisProgram,
     &'static mut Storage,
     Input<'static>,
     Output<'static>,
@@ -83,7 +83,7 @@ pub async fn run() -> ! {
 
     // SAFETY: this is the only place that names STORAGE, and main runs once.
     let memory = unsafe { &mut *addr_of_mut!(STORAGE) };
-    let mut engine = Engine::new(Application, memory);
+    let mut engine = Engine::new(ThisProgram, memory);
     let flash = Flash::<_, Blocking, FLASH_SIZE>::new_blocking(p.FLASH);
     let mut store = Store::new(BlockingAsync::new(flash), RETAIN);
     boot(&mut engine, &NAMES, &mut store, cause).await;

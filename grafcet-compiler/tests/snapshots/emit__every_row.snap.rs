@@ -654,8 +654,8 @@ pub static PROGRAM: Program<'static> = Program {
 const _: () = grafcet_core::soundness::demand(&PROGRAM);
 /// The program for an engine that is compiled for it alone.
 #[derive(Clone, Copy, Debug)]
-pub struct Application;
-impl Compiled for Application {
+pub struct ThisProgram;
+impl Compiled for ThisProgram {
     #[inline(always)]
     fn program(&self) -> &Program<'_> {
         &PROGRAM
