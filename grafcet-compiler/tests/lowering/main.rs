@@ -6,6 +6,7 @@ mod limits;
 mod places;
 mod plants;
 mod structure;
+mod substitution;
 mod watches;
 
 use grafcet_compiler::application::{Application, Tables};
