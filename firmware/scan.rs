@@ -6,6 +6,7 @@ use embassy_time::{Duration, Instant};
 use embedded_hal::digital::{InputPin, OutputPin};
 use grafcet_core::engine::Engine;
 
+use crate::analogue::Converter;
 use crate::input::Inputs;
 use crate::log::{Observer, fault};
 use crate::output::Outputs;
@@ -25,11 +26,21 @@ pub trait Board {
 }
 
 /// A controller with all that its scan needs.
-pub struct Controller<'a, I, O, B, const N: usize, const M: usize, const R: usize> {
+pub struct Controller<
+    'a,
+    I,
+    C,
+    O,
+    B,
+    const N: usize,
+    const A: usize,
+    const M: usize,
+    const R: usize,
+> {
     /// The program, restored and not started.
     pub engine: Engine<'a, 'a>,
     /// The input pins.
-    pub inputs: Inputs<I, N>,
+    pub inputs: Inputs<I, C, N, A>,
     /// The output pins, at their safe levels.
     pub outputs: Outputs<O, M>,
     /// The board.
@@ -40,9 +51,11 @@ pub struct Controller<'a, I, O, B, const N: usize, const M: usize, const R: usiz
     pub observer: Observer,
 }
 
-impl<I, O, B, const N: usize, const M: usize, const R: usize> Controller<'_, I, O, B, N, M, R>
+impl<I, C, O, B, const N: usize, const A: usize, const M: usize, const R: usize>
+    Controller<'_, I, C, O, B, N, A, M, R>
 where
     I: InputPin,
+    C: Converter,
     O: OutputPin,
     B: Board,
 {

@@ -7,7 +7,8 @@ use std::thread;
 
 use grafcet_core::engine::Engine;
 use plc::application::{
-    DEMONSTRATION, INPUT_LABELS, INPUTS, OUTPUT_LABELS, OUTPUTS, PLANTS, PROGRAM, Storage,
+    ANALOGUE_INPUTS, ANALOGUE_LABELS, DEMONSTRATION, INPUT_LABELS, INPUTS, OUTPUT_LABELS, OUTPUTS,
+    PLANTS, PROGRAM, Storage,
 };
 use plc::boards::host::machine::{Machine, Parts};
 use plc::boards::host::server::{Error, Terminals, serve};
@@ -17,6 +18,7 @@ const TERMINALS: Terminals = Terminals {
     layout: &PROGRAM.layout,
     inputs: &INPUTS,
     input_labels: &INPUT_LABELS,
+    analogue_labels: &ANALOGUE_LABELS,
     outputs: &OUTPUTS,
     output_labels: &OUTPUT_LABELS,
 };
@@ -25,6 +27,8 @@ fn machine() -> Machine {
     Machine::new(Parts {
         period_ms: PROGRAM.period_ms,
         inputs: &INPUTS,
+        analogue: &ANALOGUE_INPUTS,
+        analogue_labels: &ANALOGUE_LABELS,
         outputs: &OUTPUTS,
         plants: &PLANTS,
         script: DEMONSTRATION.as_ref(),
@@ -71,6 +75,7 @@ impl Elsewhere {
             let Some(levels) = answer.strip_prefix("inputs ") else {
                 break;
             };
+            let levels = levels.strip_suffix(" -").expect("there are no numbers");
             for (wire, level) in INPUTS.iter().zip(levels.chars()) {
                 engine.set_input(wire.bit, (level == '1') != wire.active_low);
             }
