@@ -1,4 +1,4 @@
-//! Input pins: filtered, and put into the input image.
+//! Inputs: filtered, and put into the input image.
 
 use embassy_time::{Duration, Instant, Timer};
 use embedded_hal::digital::InputPin;
@@ -7,15 +7,17 @@ use grafcet_core::memory::Memory;
 use grafcet_core::program::Compiled;
 use heapless::Vec;
 
+use crate::analogue::{Analogue, Converter};
 use crate::filter::{Filter, SAMPLE_US};
 use crate::wiring::InputWire;
 
 const SAMPLE: Duration = Duration::from_micros(SAMPLE_US as u64);
 
-/// The inputs of the program on their pins.
-pub struct Inputs<P, const N: usize> {
+/// The inputs of the program on their pins: N Booleans and A numbers.
+pub struct Inputs<P, C, const N: usize, const A: usize> {
     terminals: Vec<Terminal<P>, N>,
-    /// When the filtered pins are sampled next; none when there are none.
+    analogue: Analogue<C, A>,
+    /// When the filtered inputs are sampled next; none when there are none.
     next_sample: Option<Instant>,
 }
 
@@ -26,9 +28,9 @@ struct Terminal<P> {
     filter: Filter,
 }
 
-impl<P: InputPin, const N: usize> Inputs<P, N> {
-    /// The pins of the wires, in their order.
-    pub fn new(pins: [P; N], wires: &'static [InputWire; N]) -> Self {
+impl<P: InputPin, C: Converter, const N: usize, const A: usize> Inputs<P, C, N, A> {
+    /// The pins of the wires, in their order, and the analogue inputs.
+    pub fn new(pins: [P; N], wires: &'static [InputWire; N], analogue: Analogue<C, A>) -> Self {
         let now = Instant::now();
         let mut terminals = Vec::new();
         for (mut pin, wire) in pins.into_iter().zip(wires) {
@@ -36,14 +38,15 @@ impl<P: InputPin, const N: usize> Inputs<P, N> {
             // There is room for each of the N pins.
             let _ = terminals.push(Terminal { pin, wire, filter });
         }
-        let filtered = wires.iter().any(|wire| wire.filter_ms > 0);
+        let filtered = wires.iter().any(|wire| wire.filter_ms > 0) || analogue.is_filtered();
         Inputs {
             terminals,
+            analogue,
             next_sample: filtered.then_some(now.saturating_add(SAMPLE)),
         }
     }
 
-    /// Samples the filtered pins every millisecond until `release`, and then too.
+    /// Samples the filtered inputs every millisecond until `release`, and the Booleans then too.
     pub async fn watch_until(&mut self, release: Instant) {
         while let Some(next) = self.next_sample
             && next < release
@@ -55,7 +58,7 @@ impl<P: InputPin, const N: usize> Inputs<P, N> {
         self.sample_filtered();
     }
 
-    /// Writes the input image of a scan: the filtered pins as their filters see them, the others as they are.
+    /// Writes the input image of a scan: the filtered inputs as their filters see them, the others as they are.
     pub fn read(&mut self, engine: &mut Engine<impl Compiled, impl Memory>) {
         for Terminal { pin, wire, filter } in &mut self.terminals {
             let value = match wire.filter_ms {
@@ -63,6 +66,9 @@ impl<P: InputPin, const N: usize> Inputs<P, N> {
                 _ => filter.read(),
             };
             engine.set_input(wire.bit, value);
+        }
+        for (number, value) in self.analogue.values() {
+            engine.sample_number(number, value);
         }
     }
 
@@ -75,6 +81,10 @@ impl<P: InputPin, const N: usize> Inputs<P, N> {
             if wire.filter_ms > 0 {
                 filter.sample(is_true(pin, wire), micros(now));
             }
+        }
+        // A mean is one of evenly spaced samples.
+        if now >= next {
+            self.analogue.sample();
         }
         // What was missed is not made up for.
         let following = [

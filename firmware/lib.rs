@@ -6,6 +6,7 @@
 //! - [`boot`]: from reset to scan 0: the cause of the reset, the retained values, the boot line;
 //! - [`scan`]: sample, scan, write, at every release of the [`schedule`];
 //! - [`input`] and [`filter`], [`output`]: pins to images and back, with filters, active levels and safe states;
+//! - [`analogue`] and [`scale`]: voltages to numbers;
 //! - [`retain`] and [`record`]: retained values in flash, and [`store`]: the task that puts them there;
 //! - [`log`]: what it says about itself;
 //! - [`wiring`]: what hangs on which pin;
@@ -36,11 +37,12 @@ pub mod application {
     use crate::boards::host::site::PlantTables;
     #[cfg(not(target_os = "none"))]
     use crate::wiring::Label;
-    use crate::wiring::{InputWire, OutputWire};
+    use crate::wiring::{AnalogueWire, InputWire, OutputWire};
 
     include!(concat!(env!("OUT_DIR"), "/application.rs"));
 }
 
+pub mod analogue;
 pub mod boards;
 pub mod boot;
 pub mod filter;
@@ -49,6 +51,7 @@ pub mod log;
 pub mod output;
 pub mod record;
 pub mod retain;
+pub mod scale;
 pub mod scan;
 pub mod schedule;
 pub mod store;

@@ -125,7 +125,12 @@ impl<F: NorFlash> Store<F> {
             fingerprint,
             values,
         };
-        if !self.write(half, &record).await? {
+        // A flash may refuse to program what is not erased where it should be.
+        let written = match self.write(half, &record).await {
+            Err(Error::Flash(_)) => false,
+            written => written?,
+        };
+        if !written {
             self.format(half).await?;
             if !self.write(half, &record).await? {
                 return Err(Error::Unreadable);

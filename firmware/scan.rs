@@ -8,6 +8,7 @@ use grafcet_core::engine::Engine;
 use grafcet_core::memory::Memory;
 use grafcet_core::program::Compiled;
 
+use crate::analogue::Converter;
 use crate::input::Inputs;
 use crate::log::{Observer, fault};
 use crate::output::Outputs;
@@ -27,11 +28,23 @@ pub trait Board {
 }
 
 /// A controller with all that its scan needs.
-pub struct Controller<'a, P, S, I, O, B, const N: usize, const M: usize, const R: usize> {
+pub struct Controller<
+    'a,
+    E,
+    S,
+    I,
+    C,
+    O,
+    B,
+    const N: usize,
+    const A: usize,
+    const M: usize,
+    const R: usize,
+> {
     /// The program, restored and not started.
-    pub engine: Engine<P, S>,
+    pub engine: Engine<E, S>,
     /// The input pins.
-    pub inputs: Inputs<I, N>,
+    pub inputs: Inputs<I, C, N, A>,
     /// The output pins, at their safe levels.
     pub outputs: Outputs<O, M>,
     /// The board.
@@ -42,12 +55,13 @@ pub struct Controller<'a, P, S, I, O, B, const N: usize, const M: usize, const R
     pub observer: Observer,
 }
 
-impl<P, S, I, O, B, const N: usize, const M: usize, const R: usize>
-    Controller<'_, P, S, I, O, B, N, M, R>
+impl<E, S, I, C, O, B, const N: usize, const A: usize, const M: usize, const R: usize>
+    Controller<'_, E, S, I, C, O, B, N, A, M, R>
 where
-    P: Compiled,
+    E: Compiled,
     S: Memory,
     I: InputPin,
+    C: Converter,
     O: OutputPin,
     B: Board,
 {

@@ -2,7 +2,9 @@
 //!
 //! The generated `application` module fills these rows; their order is the order of the board's pins.
 
-use grafcet_core::program::Bit;
+use grafcet_core::program::{Bit, Number};
+
+use crate::scale::Scale;
 
 /// What people call a terminal; kept for hosts only.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -13,7 +15,7 @@ pub struct Label {
     pub pin: &'static str,
 }
 
-/// An input of the program and the pin that it reads.
+/// A Boolean input of the program and the pin that it reads.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct InputWire {
     /// Where the scan finds it.
@@ -23,6 +25,19 @@ pub struct InputWire {
     /// The pin is low when the input is True.
     pub active_low: bool,
     /// How long a level must last to be seen, in ms; 0 samples the pin in the scan and nowhere else.
+    pub filter_ms: u16,
+}
+
+/// A numeric input of the program and the pin whose voltage it is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct AnalogueWire {
+    /// Where the scan finds it.
+    pub number: Number,
+    /// Its address, `%IW0`.
+    pub address: &'static str,
+    /// What the voltages mean; its ends lie within the range of the variable.
+    pub scale: Scale,
+    /// The time in ms of which the value is the mean; 0 takes one sample in the scan.
     pub filter_ms: u16,
 }
 

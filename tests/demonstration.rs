@@ -4,7 +4,9 @@
 
 use std::path::Path;
 
-use plc::application::{DEMONSTRATION, INPUTS, OUTPUTS, PLANTS, PROGRAM};
+use plc::application::{
+    ANALOGUE_INPUTS, ANALOGUE_LABELS, DEMONSTRATION, INPUTS, OUTPUTS, PLANTS, PROGRAM,
+};
 use plc::boards::host::clock::simulate;
 use plc::boards::host::lines::{Line, keep};
 use plc::boards::host::machine::{Machine, Parts};
@@ -15,6 +17,8 @@ fn machine() -> Machine {
     Machine::new(Parts {
         period_ms: PROGRAM.period_ms,
         inputs: &INPUTS,
+        analogue: &ANALOGUE_INPUTS,
+        analogue_labels: &ANALOGUE_LABELS,
         outputs: &OUTPUTS,
         plants: &PLANTS,
         script: DEMONSTRATION.as_ref(),

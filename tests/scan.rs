@@ -13,9 +13,10 @@ use embedded_hal::digital::{ErrorType, OutputPin};
 use grafcet_core::engine::Engine;
 use grafcet_core::memory::Memory;
 use grafcet_core::program::{Bit, Compiled, Number, Slot};
+use plc::analogue::Analogue;
 use plc::boards::host::clock::{simulate, work};
 use plc::boards::host::lines::{Line, keep};
-use plc::boards::host::pins::Input;
+use plc::boards::host::pins::{Input, Readings};
 use plc::input::Inputs;
 use plc::log::Observer;
 use plc::output::Outputs;
@@ -165,7 +166,7 @@ fn run(case: &Case) -> Seen {
         simulate(async {
             let controller = Controller {
                 engine: press.engine(),
-                inputs: Inputs::new([Input(&level)], inputs),
+                inputs: Inputs::new([Input(&level)], inputs, Analogue::new(Readings(&[]), &[])),
                 outputs: Outputs::new([Recorder(&run), Recorder(&ready)], outputs),
                 board: Bench {
                     cost_ms: case.cost_ms,

@@ -8,7 +8,9 @@ use grafcet_compiler::application::{self, Application, Claim, Test, TestStepKind
 use grafcet_compiler::{Target, compile};
 use grafcet_core::engine::Engine;
 use grafcet_core::program::Program;
-use plc::application::{INPUTS, OUTPUTS, PLANTS, PROGRAM, Storage, ThisProgram};
+use plc::application::{
+    ANALOGUE_INPUTS, ANALOGUE_LABELS, INPUTS, OUTPUTS, PLANTS, PROGRAM, Storage, ThisProgram,
+};
 use plc::boards::host::machine::{Machine, Parts};
 use plc::boards::host::script::{Next, Outcome, Place, Script, Step, StepKind};
 
@@ -87,6 +89,8 @@ fn play(script: &'static Script) -> Outcome {
     let mut machine = Machine::new(Parts {
         period_ms: PROGRAM.period_ms,
         inputs: &INPUTS,
+        analogue: &ANALOGUE_INPUTS,
+        analogue_labels: &ANALOGUE_LABELS,
         outputs: &OUTPUTS,
         plants: &PLANTS,
         script: Some(script),

@@ -9,8 +9,8 @@ use grafcet_core::engine::Engine;
 use grafcet_core::memory::Memory;
 use grafcet_core::program::Compiled;
 use plc::application::{
-    DEMONSTRATION, INPUT_LABELS, INPUTS, OUTPUT_LABELS, OUTPUTS, PLANTS, PROGRAM, Storage,
-    ThisProgram,
+    ANALOGUE_INPUTS, ANALOGUE_LABELS, DEMONSTRATION, INPUT_LABELS, INPUTS, OUTPUT_LABELS, OUTPUTS,
+    PLANTS, PROGRAM, Storage, ThisProgram,
 };
 use plc::boards::host::machine::{Machine, Parts};
 use plc::boards::host::server::{Error, Terminals, serve};
@@ -20,6 +20,7 @@ const TERMINALS: Terminals = Terminals {
     layout: &PROGRAM.layout,
     inputs: &INPUTS,
     input_labels: &INPUT_LABELS,
+    analogue_labels: &ANALOGUE_LABELS,
     outputs: &OUTPUTS,
     output_labels: &OUTPUT_LABELS,
 };
@@ -28,6 +29,8 @@ fn machine() -> Machine {
     Machine::new(Parts {
         period_ms: PROGRAM.period_ms,
         inputs: &INPUTS,
+        analogue: &ANALOGUE_INPUTS,
+        analogue_labels: &ANALOGUE_LABELS,
         outputs: &OUTPUTS,
         plants: &PLANTS,
         script: DEMONSTRATION.as_ref(),
@@ -73,6 +76,7 @@ impl Elsewhere {
             let Some(levels) = answer.strip_prefix("inputs ") else {
                 break;
             };
+            let levels = levels.strip_suffix(" -").expect("there are no numbers");
             for (wire, level) in INPUTS.iter().zip(levels.chars()) {
                 engine.set_input(wire.bit, (level == '1') != wire.active_low);
             }

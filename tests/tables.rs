@@ -2,7 +2,9 @@
 
 #![allow(clippy::unwrap_used, reason = "a failed expectation is a failed test")]
 
-use plc::application::{INPUTS, NAMES, OUTPUTS, PROGRAM, RETAIN, Storage, WATCHDOG_MS};
+use plc::application::{
+    ANALOGUE_INPUTS, INPUTS, NAMES, OUTPUTS, PROGRAM, RETAIN, Storage, WATCHDOG_MS,
+};
 use wiring::Loaded;
 
 /// The sources of this very image.
@@ -35,15 +37,21 @@ fn the_wires_are_those_of_the_file() {
     let inputs = wiring
         .inputs
         .iter()
-        .map(|it| (it.bit, it.address.to_string(), it.entry.filter_ms));
+        .map(|it| (it.place, it.address.to_string(), it.entry.filter_ms));
     let built = INPUTS
         .iter()
         .map(|it| (it.bit, it.address.to_owned(), it.filter_ms));
     assert!(inputs.eq(built));
+    let numbers = wiring.analogue_inputs.iter();
+    let numbers = numbers.map(|it| (it.place, it.address.to_string(), it.entry.filter_ms));
+    let built = ANALOGUE_INPUTS
+        .iter()
+        .map(|it| (it.number, it.address.to_owned(), it.filter_ms));
+    assert!(numbers.eq(built));
     let outputs = wiring
         .outputs
         .iter()
-        .map(|it| (it.bit, it.address.to_string(), it.entry.safe));
+        .map(|it| (it.place, it.address.to_string(), it.entry.safe));
     let built = OUTPUTS
         .iter()
         .map(|it| (it.bit, it.address.to_owned(), it.safe));

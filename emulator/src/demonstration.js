@@ -11,6 +11,8 @@ import { Pico } from './pico.js';
 const POWER_OFF_MS = 1000;
 /** How often what has happened is shown, in simulated ms. */
 const SHOWN_EVERY_MS = 500;
+/** Channel 0 of the ADC is at this pin. */
+const FIRST_ANALOGUE_PIN = 26;
 /** So many periods without a scan end the demonstration: the longest watchdog and a start are shorter. */
 const PATIENCE_MS = 20_000;
 
@@ -44,12 +46,13 @@ class Demonstration {
 
   async run() {
     const { pico } = this;
-    const end = pico.onStore('PLC_SCANS', () => (this.scanned = true));
+    // The start-up code stores there too: a zero, before scan 0.
+    const end = pico.onStore('PLC_SCANS', () => (this.scanned = pico.read32('PLC_SCANS') > 0));
     let answer;
     do {
       answer = await this.#ask('power', this.#levels());
       if (answer.kind === 'inputs') {
-        this.#connect(answer.levels);
+        this.#connect(answer);
         pico.powerOn();
         answer = await this.#scans();
         pico.powerOff();
@@ -75,7 +78,7 @@ class Demonstration {
       this.#outputs = levels;
       const answer = await this.#ask('scan', levels, image.join(','), numbers.join(','));
       if (answer.kind !== 'inputs') return answer;
-      this.#connect(answer.levels);
+      this.#connect(answer);
       if (pico.timeMs - this.#shownAtMs >= SHOWN_EVERY_MS) this.#show();
     }
   }
@@ -92,7 +95,8 @@ class Demonstration {
     );
   }
 
-  #connect(levels) {
+  #connect({ levels, readings }) {
+    this.site.analogue.forEach((channel, i) => this.pico.setAnalog(channel, readings[i]));
     this.#changed('inputs ', this.site.inputs, this.#inputs, levels);
     this.site.inputs.forEach(({ pin }, i) => this.pico.setInput(pin, levels[i]));
     this.#inputs = levels;
@@ -108,9 +112,11 @@ class Demonstration {
 
   async #ask(kind, levels, ...rest) {
     const request = [kind, levels.join('') || '-', ...rest].join(' ');
-    const answer = await this.plants.ask(request, (text) => this.#add(this.pico.timeNs, `-- ${text}`));
-    if (answer.kind === 'inputs' && answer.levels.length !== this.site.inputs.length) {
-      throw new UsageError(`the plants answered ${answer.levels.length} levels`);
+    const { inputs, analogue } = this.site;
+    const answer = await this.plants.ask(request, (text) => this.#add(this.pico.timeNs, text));
+    if (answer.kind !== 'inputs') return answer;
+    if (answer.levels.length !== inputs.length || answer.readings.length !== analogue.length) {
+      throw new UsageError(`the plants answered ${answer.levels.length} levels, ${answer.readings.length} readings`);
     }
     return answer;
   }
@@ -153,26 +159,34 @@ class Plants {
 
   /** What hangs on the controller. */
   async greeting() {
-    const site = { words: 0, numbers: 0, inputs: [], outputs: [] };
+    const site = { words: 0, numbers: 0, inputs: [], analogue: [], outputs: [] };
     for (;;) {
       const [word, ...rest] = (await this.#line()).split(' ');
       if (word === 'ready') return site;
       if (word === 'memory') [site.words, site.numbers] = rest.map(Number);
       if (word === 'input') site.inputs.push(terminal(rest));
+      if (word === 'analogue') site.analogue.push(pinNumber(rest[0]) - FIRST_ANALOGUE_PIN);
       if (word === 'output') site.outputs.push(terminal(rest));
     }
   }
 
-  /** @returns {Promise<{kind: string, levels?: number[], text?: string}>} */
-  async ask(request, say) {
+  /**
+   * @param {(text: string) => void} show lines for people
+   * @returns {Promise<{kind: string, levels?: number[], readings?: number[], text?: string}>}
+   */
+  async ask(request, show) {
     this.#process.stdin.write(`${request}\n`);
     for (;;) {
       const line = await this.#line();
       const kind = line.split(' ', 1)[0];
       const text = line.slice(kind.length + 1);
-      if (kind === 'inputs') return { kind, levels: text === '-' ? [] : [...text].map(Number) };
-      if (kind !== 'say') return { kind, text };
-      say(text);
+      if (kind === 'inputs') {
+        const [levels, readings] = text.split(' ');
+        return { kind, levels: numbers(levels, ''), readings: numbers(readings, ',') };
+      }
+      if (kind === 'say') show(`-- ${text}`);
+      else if (kind === 'moved') show(`  inputs   ${text}`);
+      else return { kind, text };
     }
   }
 
@@ -182,7 +196,15 @@ class Plants {
 }
 
 function terminal([pin, active, name]) {
+  return { pin: pinNumber(pin), activeLow: active === 'low', name };
+}
+
+function pinNumber(pin) {
   const number = /^GP(\d+)$/.exec(pin);
   if (!number) throw new UsageError(`the plants name a pin ${pin}, which a Pico does not have`);
-  return { pin: Number(number[1]), activeLow: active === 'low', name };
+  return Number(number[1]);
+}
+
+function numbers(text, separator) {
+  return text === '-' ? [] : text.split(separator).map(Number);
 }

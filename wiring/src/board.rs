@@ -47,6 +47,8 @@ pub struct Pin {
     pub peripheral: &'static str,
     /// What it can serve as.
     pub purpose: Purpose,
+    /// Whether the analogue-to-digital converter can be connected to it.
+    pub analogue: bool,
 }
 
 /// What a pin can serve as.
@@ -54,6 +56,8 @@ pub struct Pin {
 pub enum Purpose {
     /// An input or an output.
     Free,
+    /// An analogue input only, for this reason.
+    AnalogueInput(&'static str),
     /// An output only, for this reason.
     Output(&'static str),
     /// Nothing, for this reason.

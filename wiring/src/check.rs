@@ -2,16 +2,18 @@
 
 use std::ops::Range;
 
-use grafcet_compiler::application::{Application, Tables, VariableSymbol};
+use grafcet_compiler::application::{Application, Tables};
 use grafcet_compiler::model::Address;
-use grafcet_core::program::{Bit, Slot};
+use grafcet_core::program::{Bit, Number, Slot};
 
 use crate::board::{Board, Pin};
 use crate::duration;
-use crate::file::{InputEntry, OutputEntry, PlcFile, Section, Wire};
+use crate::file::PlcFile;
+use crate::join::{Program, bad_scale, number_at_pin, report_twice};
 use crate::pins::Pins;
 use crate::rule::{Diagnostic, Rule};
 use crate::side::Side;
+use crate::wire::{AnalogueInput, DigitalInput, InputEntry, OutputEntry};
 
 /// The longest record of retained values that the store takes, in bytes.
 pub const LONGEST_RECORD: usize = 4000;
@@ -24,10 +26,12 @@ pub const DEFAULT_WATCHDOG_MS: u32 = 1000;
 pub struct Wiring {
     /// The board.
     pub board: &'static Board,
-    /// The inputs, in the order of the file.
-    pub inputs: Vec<Connection<InputEntry>>,
+    /// The Boolean inputs, in the order of the file.
+    pub inputs: Vec<Connection<Bit, DigitalInput>>,
+    /// The numeric inputs, in the order of the file.
+    pub analogue_inputs: Vec<Connection<Number, AnalogueInput>>,
     /// The outputs, in the order of the file.
-    pub outputs: Vec<Connection<OutputEntry>>,
+    pub outputs: Vec<Connection<Bit, OutputEntry>>,
     /// Where retained values lie: byte offsets in flash, whole sectors.
     pub retain: Range<u32>,
     /// Bytes of the longest record that the program's retained values can make.
@@ -38,9 +42,9 @@ pub struct Wiring {
 
 /// A variable of the program on a pin.
 #[derive(Clone, Debug)]
-pub struct Connection<T> {
+pub struct Connection<P, T> {
     /// Where the scan finds it.
-    pub bit: Bit,
+    pub place: P,
     /// Its address.
     pub address: Address,
     /// Its pin.
@@ -58,8 +62,8 @@ pub fn check(
 ) -> (Option<Wiring>, Vec<Diagnostic>) {
     let mut diagnostics = Vec::new();
     let mut pins = Pins::new(file.board);
-    let inputs = pins.resolve(&file.inputs, Side::Input, &mut diagnostics);
-    let outputs = pins.resolve(&file.outputs, Side::Output, &mut diagnostics);
+    let input_pins = pins.resolve(&file.inputs, Side::Input, &mut diagnostics);
+    let output_pins = pins.resolve(&file.outputs, Side::Output, &mut diagnostics);
     report_twice(&file.inputs, &mut diagnostics);
     report_twice(&file.outputs, &mut diagnostics);
     let Some(application) = application else {
@@ -69,8 +73,29 @@ pub fn check(
         variables: &application.controller.symbols.variables,
         pins,
     };
-    let inputs = program.connect(&file.inputs, inputs, Side::Input, &mut diagnostics);
-    let outputs = program.connect(&file.outputs, outputs, Side::Output, &mut diagnostics);
+    let joined = program.join(&file.inputs, input_pins, Side::Input, &mut diagnostics);
+    let (mut inputs, mut analogue_inputs) = (Vec::new(), Vec::new());
+    for joined in joined {
+        match (joined.wire.entry, joined.variable.slot) {
+            (InputEntry::Digital(entry), Slot::Bit(bit)) => inputs.extend(joined.at(bit, entry)),
+            (InputEntry::Analogue(entry), Slot::Number(number)) => {
+                diagnostics.extend(bad_scale(&entry, joined.variable));
+                analogue_inputs.extend(joined.at(number, entry));
+            }
+            // The scale could not be read. Otherwise the two agree: Booleans lie at bits and numbers at words.
+            _ => {}
+        }
+    }
+    let joined = program.join(&file.outputs, output_pins, Side::Output, &mut diagnostics);
+    let mut outputs = Vec::new();
+    for joined in joined {
+        match joined.variable.slot {
+            Slot::Bit(bit) => outputs.extend(joined.at(bit, joined.wire.entry)),
+            Slot::Number(_) => {
+                diagnostics.push(number_at_pin(joined.wire.address.span, joined.variable));
+            }
+        }
+    }
     let record_bytes = longest_record(&application.controller.tables);
     if record_bytes > LONGEST_RECORD {
         diagnostics.push(too_big(file, application, record_bytes));
@@ -84,149 +109,13 @@ pub fn check(
     let wiring = Wiring {
         board,
         inputs,
+        analogue_inputs,
         outputs,
         retain: board.flash_bytes - retain_bytes..board.flash_bytes,
         record_bytes,
         watchdog_ms,
     };
     (diagnostics.is_empty().then_some(wiring), diagnostics)
-}
-
-/// The program's side.
-struct Program<'a> {
-    variables: &'a [VariableSymbol],
-    pins: Pins,
-}
-
-impl<'a> Program<'a> {
-    /// Joins wires and variables; reports addresses that only one side knows.
-    fn connect<T: Copy>(
-        &mut self,
-        section: &Section<T>,
-        pins: Vec<Option<&'static Pin>>,
-        side: Side,
-        diagnostics: &mut Vec<Diagnostic>,
-    ) -> Vec<Connection<T>> {
-        let variables = self.variables_on(side);
-        let wired = |address| {
-            section
-                .wires
-                .iter()
-                .any(|wire| wire.address.value == address)
-        };
-        let open: Vec<_> = variables
-            .iter()
-            .filter(|(address, _)| !wired(*address))
-            .collect();
-        let mut connections = Vec::new();
-        for (wire, pin) in section.wires.iter().zip(pins) {
-            let address = wire.address.value;
-            let Some((_, variable)) = variables.iter().find(|(known, _)| *known == address) else {
-                diagnostics.push(unknown_address(wire, side, &open));
-                continue;
-            };
-            match (variable.slot, pin) {
-                (Slot::Bit(bit), Some(pin)) => connections.push(Connection {
-                    bit,
-                    address,
-                    pin,
-                    entry: wire.entry,
-                }),
-                (Slot::Bit(_), None) => {}
-                (Slot::Number(_), _) => {
-                    let message = format!("the number `{}` cannot be on a pin", variable.name);
-                    diagnostics.push(
-                        Diagnostic::new(Rule::NumberAtPin, wire.address.span, message)
-                            .label(variable.span, "declared here")
-                            .help("pins carry Booleans, at `%IX` and `%QX`; numbers are not wired yet"),
-                    );
-                }
-            }
-        }
-        for (address, variable) in open {
-            let pin = self.pins.propose(side, section.span);
-            diagnostics.push(not_wired(section, *address, variable, side, pin));
-        }
-        connections
-    }
-
-    /// The program's inputs or outputs, by address.
-    fn variables_on(&self, side: Side) -> Vec<(Address, &'a VariableSymbol)> {
-        let ours = self
-            .variables
-            .iter()
-            .filter(|variable| variable.kind == side.kind());
-        ours.filter_map(|variable| {
-            let address = Address::parse(variable.address.as_deref()?).ok()?;
-            Some((address, variable))
-        })
-        .collect()
-    }
-}
-
-fn report_twice<T>(section: &Section<T>, diagnostics: &mut Vec<Diagnostic>) {
-    for (index, wire) in section.wires.iter().enumerate() {
-        let earlier = section.wires.iter().take(index);
-        if let Some(first) = { earlier }.find(|it| it.address.value == wire.address.value) {
-            let message = format!("`{}` is wired twice", wire.address.value);
-            diagnostics.push(
-                Diagnostic::new(Rule::DuplicateAddress, wire.address.span, message)
-                    .label(first.address.span, "first here"),
-            );
-        }
-    }
-}
-
-fn unknown_address<T>(
-    wire: &Wire<T>,
-    side: Side,
-    open: &[&(Address, &VariableSymbol)],
-) -> Diagnostic {
-    let message = format!(
-        "the program has no {} at `{}`",
-        side.name(),
-        wire.address.value
-    );
-    let diagnostic = Diagnostic::new(Rule::UnknownAddress, wire.address.span, message);
-    match open {
-        [] => diagnostic.help(format!(
-            "take the line out, or declare {} there",
-            side.with_article()
-        )),
-        [(address, variable), ..] => diagnostic
-            .label(
-                variable.span,
-                format!("this one, at `{address}`, has no pin"),
-            )
-            .help(format!("did you mean `\"{address}\"`?")),
-    }
-}
-
-fn not_wired<T>(
-    section: &Section<T>,
-    address: Address,
-    variable: &VariableSymbol,
-    side: Side,
-    pin: Option<&'static Pin>,
-) -> Diagnostic {
-    let (name, kind) = (&variable.name, side.name());
-    if let Slot::Number(_) = variable.slot {
-        let message = format!("the number `{name}` at `{address}` cannot be on a pin");
-        return Diagnostic::new(Rule::NumberAtPin, section.span, message)
-            .label(variable.span, "declared here")
-            .help("pins carry Booleans, at `%IX` and `%QX`; numbers are not wired yet");
-    }
-    let message = format!("the {kind} `{name}` at `{address}` has no pin");
-    let diagnostic = Diagnostic::new(Rule::NotWired, section.span, message)
-        .label(variable.span, "declared here");
-    match pin {
-        Some(pin) => diagnostic.help(format!(
-            "add under `[{}]`, with a pin of your choice: `\"{address}\" = {{ pin = \"{}\" }}`",
-            side.table(),
-            pin.name
-        )),
-        None => diagnostic.help("the board has no free pin left"),
-    }
 }
 
 /// Sequence and fingerprint, then key and value of each: variable-length integers of `postcard`.

@@ -1,6 +1,6 @@
 //! `plc.toml` as it is written, each value with its place. Nothing here knows the program yet.
 
-use grafcet_compiler::model::{Address, Area};
+use grafcet_compiler::model::{Address, Area, Size};
 use grafcet_compiler::source::{FileId, Span};
 use toml::Spanned;
 use toml::de::{DeString, DeTable, DeValue};
@@ -8,12 +8,11 @@ use toml::de::{DeString, DeTable, DeValue};
 use crate::board::{BOARDS, Board};
 use crate::nearest::nearest;
 use crate::rule::{Diagnostic, Rule};
-use crate::side::Side;
+use crate::side::{Side, Use};
 use crate::syntax;
 use crate::table::{Placed, Report, Table, listed};
+use crate::wire::{InputEntry, OutputEntry, Wire, read_input, read_output};
 
-/// The longest input filter in ms.
-pub const LONGEST_FILTER_MS: u32 = 1000;
 /// The sectors of the retain area when the file names none.
 pub const DEFAULT_SECTORS: u32 = 4;
 /// The store has two halves of at least two sectors each; more of them wear less.
@@ -45,57 +44,6 @@ pub struct Section<T> {
     pub span: Span,
     /// Its wires, in the order of the file.
     pub wires: Vec<Wire<T>>,
-}
-
-/// One line of a table: an address and what hangs there.
-#[derive(Clone, Debug)]
-pub struct Wire<T> {
-    /// The address.
-    pub address: Placed<Address>,
-    /// The pin's name.
-    pub pin: Option<Placed<String>>,
-    /// The rest.
-    pub entry: T,
-}
-
-/// What is particular to an input.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct InputEntry {
-    /// The resistor in the chip.
-    pub pull: Pull,
-    /// The level at which the input is True.
-    pub active: Active,
-    /// How long a level must last to be seen, in ms.
-    pub filter_ms: u16,
-}
-
-/// What is particular to an output.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct OutputEntry {
-    /// The level at which the output is True.
-    pub active: Active,
-    /// The value that it has until the program drives it.
-    pub safe: bool,
-}
-
-/// The resistor that holds an open input.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Pull {
-    /// To the supply.
-    Up,
-    /// To ground.
-    Down,
-    /// None: something outside holds the level.
-    None,
-}
-
-/// The level at which a wire is True.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Active {
-    /// At the supply.
-    High,
-    /// At ground.
-    Low,
 }
 
 /// The path of the program, when the file says it in spite of whatever else may be wrong with it.
@@ -154,7 +102,7 @@ fn read_tables(table: &Spanned<DeTable<'_>>, report: &mut Report) -> PlcFile {
         .table("retain", "`[retain]`", report)
         .and_then(|retain| {
             retain.expect_keys(&["sectors"], report);
-            let sectors = retain.integer("sectors", SECTORS, "sectors", report)?;
+            let sectors = retain.integer("sectors", SECTORS, "4", " sectors", report)?;
             if !sectors.value.is_multiple_of(2) {
                 let message = "`sectors` is odd, and the retain area has two equal halves";
                 let help = format!("write `sectors = {}`", sectors.value + 1);
@@ -195,7 +143,7 @@ fn read_board(top: &Table<'_>, report: &mut Report) -> Option<&'static Board> {
     board
 }
 
-type ReadEntry<T> = fn(&Table<'_>, &mut Report) -> T;
+type ReadEntry<T> = fn(Use, &Table<'_>, &mut Report) -> T;
 
 fn read_section<T>(
     top: &Table<'_>,
@@ -210,8 +158,11 @@ fn read_section<T>(
         };
     };
     let wires = section.entries().filter_map(|(key, value)| {
-        let address = read_address(key, side, report);
-        let (pin, entry) = read_wire(value, side, read_entry, report);
+        let address = read_address(key, report);
+        // A key that cannot be read hides nothing that is wrong behind it.
+        let size = address.as_ref().map_or(Size::Bit(0), |it| it.value.size);
+        let address = address.filter(|address| lies_on(side, address, report));
+        let (pin, entry) = read_wire(value, Use::of(side, size), read_entry, report);
         Some(Wire {
             address: address?,
             pin,
@@ -224,48 +175,46 @@ fn read_section<T>(
     }
 }
 
-fn read_address(
-    key: &Spanned<DeString<'_>>,
-    side: Side,
-    report: &mut Report,
-) -> Option<Placed<Address>> {
+fn read_address(key: &Spanned<DeString<'_>>, report: &mut Report) -> Option<Placed<Address>> {
     let span = report.span(key.span());
-    let address = match Address::parse(key.get_ref()) {
-        Ok(address) => address,
+    match Address::parse(key.get_ref()) {
+        Ok(value) => Some(Placed { value, span }),
         Err(message) => {
             report.push(
                 Diagnostic::new(Rule::BadAddress, span, message).help(
                     "the keys here are the addresses that the program declares: `input start at %IX0.0`",
                 ),
             );
-            return None;
+            None
         }
-    };
-    if Side::of(address.area) != Some(side) {
-        let (letter, message, help) = match address.area {
-            Area::Input => ('I', "an input", "move the line to `[inputs]`"),
-            Area::Output => ('Q', "an output", "move the line to `[outputs]`"),
-            Area::Memory => ('M', "memory", "memory has no pin; take the line out"),
-        };
-        let message = format!("`%{letter}` is {message}, and this is `[{}]`", side.table());
-        report.push(Diagnostic::new(Rule::AddressDirection, span, message).help(help));
-        return None;
     }
-    Some(Placed {
-        value: address,
-        span,
-    })
+}
+
+/// Reports an address of the other side.
+fn lies_on(side: Side, address: &Placed<Address>, report: &mut Report) -> bool {
+    let area = address.value.area;
+    if Side::of(area) == Some(side) {
+        return true;
+    }
+    let (letter, message, help) = match area {
+        Area::Input => ('I', "an input", "move the line to `[inputs]`"),
+        Area::Output => ('Q', "an output", "move the line to `[outputs]`"),
+        Area::Memory => ('M', "memory", "memory has no pin; take the line out"),
+    };
+    let message = format!("`%{letter}` is {message}, and this is `[{}]`", side.table());
+    report.push(Diagnostic::new(Rule::AddressDirection, address.span, message).help(help));
+    false
 }
 
 /// A pin alone, `"%IX0.0" = "GP2"`, or a table with a pin.
 fn read_wire<T>(
     value: &Spanned<DeValue<'_>>,
-    side: Side,
+    service: Use,
     read_entry: ReadEntry<T>,
     report: &mut Report,
 ) -> (Option<Placed<String>>, T) {
     let span = report.span(value.span());
-    let what = side.with_article();
+    let what = service.with_article();
     let nothing = DeTable::new();
     let bare = Table {
         table: &nothing,
@@ -275,7 +224,7 @@ fn read_wire<T>(
     let (pin, table) = match value.get_ref() {
         DeValue::Table(table) => {
             let table = Table { table, span, what };
-            let pin = table.string("pin", Some("which pin is it?"), "\"GP2\"", report);
+            let pin = table.string("pin", Some("which pin is it?"), service.example(), report);
             (pin, table)
         }
         DeValue::String(pin) => {
@@ -284,45 +233,15 @@ fn read_wire<T>(
         }
         _ => {
             let message = format!("{what} is a pin or a table with one");
-            report.push(
-                Diagnostic::new(Rule::BadValue, span, message)
-                    .help("write `\"GP2\"`, or `{ pin = \"GP2\" }` with more behind it"),
-            );
+            report.push(Diagnostic::new(Rule::BadValue, span, message).help(format!(
+                "write `{0}`, or `{{ pin = {0} }}` with more behind it",
+                service.example()
+            )));
             (None, bare)
         }
     };
-    (pin.map(Placed::into_owned), read_entry(&table, report))
-}
-
-const LEVELS: &[(&str, Active)] = &[("high", Active::High), ("low", Active::Low)];
-
-fn read_input(table: &Table<'_>, report: &mut Report) -> InputEntry {
-    table.expect_keys(&["pin", "pull", "active", "filter"], report);
-    let active = table
-        .choice("active", LEVELS, report)
-        .unwrap_or(Active::High);
-    let pulls = [("up", Pull::Up), ("down", Pull::Down), ("none", Pull::None)];
-    // An open wire reads as False.
-    let toward_false = match active {
-        Active::High => Pull::Down,
-        Active::Low => Pull::Up,
-    };
-    let filter = table.duration("filter", 0..=LONGEST_FILTER_MS, "\"5 ms\"", report);
-    InputEntry {
-        pull: table.choice("pull", &pulls, report).unwrap_or(toward_false),
-        active,
-        filter_ms: filter.map_or(0, |filter| u16::try_from(filter.value).unwrap_or(u16::MAX)),
-    }
-}
-
-fn read_output(table: &Table<'_>, report: &mut Report) -> OutputEntry {
-    table.expect_keys(&["pin", "active", "safe"], report);
-    OutputEntry {
-        active: table
-            .choice("active", LEVELS, report)
-            .unwrap_or(Active::High),
-        safe: table
-            .choice("safe", &[("off", false), ("on", true)], report)
-            .unwrap_or(false),
-    }
+    (
+        pin.map(Placed::into_owned),
+        read_entry(service, &table, report),
+    )
 }

@@ -1,6 +1,7 @@
 //! `plc.toml`: all that an automation engineer sets to bring a program onto a board, without a line of Rust.
 //!
 //! - [`file`](mod@file): the file as it is written, each value with its place;
+//! - [`wire`]: one line of it, with what is particular to the kind of signal;
 //! - [`board`] and [`boards`]: what there is to wire;
 //! - [`check`](mod@check): the file against its board and its program, which leaves a [`Wiring`];
 //! - [`load()`]: all of it, from a path;
@@ -17,6 +18,7 @@ pub mod check;
 mod duration;
 pub mod emit;
 pub mod file;
+mod join;
 mod load;
 mod nearest;
 mod pins;
@@ -24,6 +26,7 @@ pub mod rule;
 mod side;
 mod syntax;
 pub mod table;
+pub mod wire;
 
 pub use check::Wiring;
 pub use load::{Loaded, load, load_from};

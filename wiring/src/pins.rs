@@ -8,7 +8,7 @@ use crate::board::{Board, Pin, Purpose};
 use crate::file::Section;
 use crate::nearest::nearest;
 use crate::rule::{Diagnostic, Rule};
-use crate::side::Side;
+use crate::side::{Side, Use};
 use crate::table::Placed;
 
 /// The pins that are taken so far.
@@ -34,7 +34,7 @@ impl Pins {
     ) -> Vec<Option<&'static Pin>> {
         let pins = section.wires.iter().map(|wire| {
             let name = wire.pin.as_ref()?;
-            match self.take(name, side)? {
+            match self.take(name, Use::of(side, wire.address.value.size))? {
                 Ok(pin) => Some(pin),
                 Err(diagnostic) => {
                     diagnostics.push(diagnostic);
@@ -45,16 +45,18 @@ impl Pins {
         pins.collect()
     }
 
-    /// The pins that are left for inputs or outputs, in the order of the board.
-    pub(crate) fn free(&self, side: Side) -> impl Iterator<Item = &'static Pin> {
+    /// The pins that are left to serve as this, in the order of the board.
+    pub(crate) fn free(&self, service: Use) -> impl Iterator<Item = &'static Pin> {
         let pins = self.board.map_or(&[][..], |board| board.pins).iter();
-        pins.filter(move |pin| refusal(pin, side).is_none())
+        pins.filter(move |pin| refusal(pin, service).is_none())
+            // What is measured there is not for the program to choose.
+            .filter(|pin| !matches!(pin.purpose, Purpose::AnalogueInput(_)))
             .filter(|pin| !self.taken.contains_key(pin.name))
     }
 
     /// Proposes a free pin, another one each time.
-    pub(crate) fn propose(&mut self, side: Side, place: Span) -> Option<&'static Pin> {
-        let pin = self.free(side).next()?;
+    pub(crate) fn propose(&mut self, service: Use, place: Span) -> Option<&'static Pin> {
+        let pin = self.free(service).next()?;
         self.taken.insert(pin.name, place);
         Some(pin)
     }
@@ -63,16 +65,20 @@ impl Pins {
     fn take(
         &mut self,
         name: &Placed<String>,
-        side: Side,
+        service: Use,
     ) -> Option<Result<&'static Pin, Diagnostic>> {
         let board = self.board?;
         let Some(pin) = board.pin(&name.value) else {
             return Some(Err(unknown(board, name)));
         };
-        if let Some(reason) = refusal(pin, side) {
-            let message = format!("`{}` is not free: {reason}", pin.name);
+        if let Some(reason) = refusal(pin, service) {
+            let message = format!(
+                "`{}` cannot be {}: {reason}",
+                pin.name,
+                service.with_article()
+            );
             let diagnostic = Diagnostic::new(Rule::ReservedPin, name.span, message);
-            return Some(Err(match self.free(side).next() {
+            return Some(Err(match self.free(service).next() {
                 Some(free) => diagnostic.help(format!("`{}` is free", free.name)),
                 None => diagnostic,
             }));
@@ -87,12 +93,19 @@ impl Pins {
     }
 }
 
-/// Why the pin cannot serve.
-fn refusal(pin: &Pin, side: Side) -> Option<&'static str> {
-    match pin.purpose {
-        Purpose::Free => None,
-        Purpose::Output(_) if side == Side::Output => None,
-        Purpose::Output(reason) | Purpose::Reserved(reason) => Some(reason),
+/// Why the pin cannot serve as this.
+fn refusal(pin: &Pin, service: Use) -> Option<&'static str> {
+    match (pin.purpose, service) {
+        (_, Use::AnalogueInput) if !pin.analogue => {
+            Some("the analogue-to-digital converter does not reach it")
+        }
+        (Purpose::Free, _)
+        | (Purpose::Output(_), Use::Output | Use::AnalogueOutput)
+        | (Purpose::AnalogueInput(_), Use::AnalogueInput) => None,
+        (
+            Purpose::Output(reason) | Purpose::AnalogueInput(reason) | Purpose::Reserved(reason),
+            _,
+        ) => Some(reason),
     }
 }
 

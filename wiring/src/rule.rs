@@ -61,7 +61,9 @@ rules! {
     UnknownAddress "unknown-address";
     /// An input or output of the program without a pin.
     NotWired "not-wired";
-    /// A number at a word address, which pins of this board cannot carry yet.
+    /// A scale without length, or one that reaches beyond the range of its variable.
+    BadScale "bad-scale";
+    /// A numeric output, which no pin of this board can carry yet.
     NumberAtPin "number-at-pin";
     /// More retained values than one record of the store takes.
     RetainTooBig "retain-too-big";

@@ -1,6 +1,7 @@
 //! Reading one table of a TOML file: every value with its place, everything wrong with it reported.
 
-use std::ops::Range;
+use std::fmt::Display;
+use std::ops::{Range, RangeInclusive};
 
 use grafcet_compiler::source::{FileId, Span};
 use toml::Spanned;
@@ -11,7 +12,7 @@ use crate::nearest::nearest;
 use crate::rule::{Diagnostic, Rule};
 
 /// A value and where it is written.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Placed<T> {
     /// The value.
     pub value: T,
@@ -80,6 +81,11 @@ impl<'t> Table<'t> {
         &self,
     ) -> impl Iterator<Item = (&'t Spanned<DeString<'t>>, &'t Spanned<DeValue<'t>>)> + use<'t> {
         self.table.iter()
+    }
+
+    /// Whether the key is there.
+    pub(crate) fn has(&self, key: &str) -> bool {
+        self.table.contains_key(key)
     }
 
     /// A table within the table; none when it is missing or no table.
@@ -164,7 +170,7 @@ impl<'t> Table<'t> {
     pub(crate) fn duration(
         &self,
         key: &str,
-        range: std::ops::RangeInclusive<u32>,
+        range: RangeInclusive<u32>,
         example: &str,
         report: &mut Report,
     ) -> Option<Placed<u32>> {
@@ -197,29 +203,31 @@ impl<'t> Table<'t> {
     }
 
     /// A whole number within a range; none when it is missing or none.
-    pub(crate) fn integer(
+    pub(crate) fn integer<T: TryFrom<i64> + PartialOrd + Display>(
         &self,
         key: &str,
-        range: std::ops::RangeInclusive<u32>,
+        range: RangeInclusive<T>,
+        example: &str,
         unit: &str,
         report: &mut Report,
-    ) -> Option<Placed<u32>> {
+    ) -> Option<Placed<T>> {
         let value = self.table.get(key)?;
         let span = report.span(value.span());
         let DeValue::Integer(integer) = value.get_ref() else {
             let message = format!("`{key}` is a whole number");
             report.push(
                 Diagnostic::new(Rule::BadValue, span, message)
-                    .help(format!("write `{key} = {}`", range.start())),
+                    .help(format!("write `{key} = {example}`")),
             );
             return None;
         };
-        let value = u32::from_str_radix(integer.as_str(), integer.radix()).ok();
+        let value = i64::from_str_radix(integer.as_str(), integer.radix()).ok();
+        let value = value.and_then(|value| T::try_from(value).ok());
         match value.filter(|value| range.contains(value)) {
             Some(value) => Some(Placed { value, span }),
             None => {
                 let message = format!("`{key}` is out of range");
-                let help = format!("it lies from {} to {} {unit}", range.start(), range.end());
+                let help = format!("it lies from {} to {}{unit}", range.start(), range.end());
                 report.push(Diagnostic::new(Rule::OutOfRange, span, message).help(help));
                 None
             }

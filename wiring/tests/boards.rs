@@ -33,6 +33,18 @@ fn the_pico_offers_its_26_pins_and_its_led() {
 }
 
 #[test]
+fn the_pico_measures_at_four_pins_one_of_which_is_its_supply() {
+    let pins = PICO.pins.iter().filter(|pin| pin.analogue);
+    let names: Vec<&str> = pins.clone().map(|pin| pin.name).collect();
+    assert_eq!(names, ["GP26", "GP27", "GP28", "GP29"]);
+    let kept: Vec<&str> = pins
+        .filter(|pin| matches!(pin.purpose, Purpose::AnalogueInput(_)))
+        .map(|pin| pin.name)
+        .collect();
+    assert_eq!(kept, ["GP29"]);
+}
+
+#[test]
 fn the_watchdog_outlasts_an_erase() {
     for board in BOARDS {
         assert!(board.watchdog_limit_ms > 2 * board.erase_ms);

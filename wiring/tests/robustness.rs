@@ -7,12 +7,13 @@ use wiring::load_from;
 
 const PROGRAM: &str = "\
 input  start at %IX0.0
+input  level : int at %IW0
 output MOTOR at %QX0.0
 graph Saw {
     initial step 1
     step 2 { MOTOR }
     transition 1: 1 -> 2 when start
-    transition 2: 2 -> 1 when NOT start
+    transition 2: 2 -> 1 when level > 5
 }
 ";
 
@@ -20,6 +21,7 @@ const GOOD: &str = r#"application = "säge.grafcet"
 board = "pico"
 [inputs]
 "%IX0.0" = { pin = "GP3", pull = "up", active = "low", filter = "5 ms" }
+"%IW0" = { pin = "GP27", low = -20, high = 400 }
 [outputs]
 "%QX0.0" = "GP16"
 [retain]

@@ -20,7 +20,8 @@ use super::script::Outcome;
 use super::server::{Terminals, serve};
 use super::soft_plc;
 use crate::application::{
-    DEMONSTRATION, INPUT_LABELS, INPUTS, NAMES, OUTPUT_LABELS, OUTPUTS, PLANTS, PROGRAM,
+    ANALOGUE_INPUTS, ANALOGUE_LABELS, DEMONSTRATION, INPUT_LABELS, INPUTS, NAMES, OUTPUT_LABELS,
+    OUTPUTS, PLANTS, PROGRAM,
 };
 
 /// How long a program without a demonstration runs in simulated time, unless said.
@@ -51,7 +52,7 @@ struct Arguments {
 const HELP: &str = "\
 Each line begins with the time in seconds:
   -- TEXT                 what happens around the controller
-  inputs, outputs         what changed at its terminals
+  inputs, outputs         what changed at its terminals; of a number, each eighth of its scale
   GRAPH T7: {3} -> {5}    a transition that fired, the steps it left and entered
 
 Exit codes: 0 all went as claimed, 1 the demonstration failed, 2 wrong usage or a file that cannot be used.";
@@ -63,6 +64,8 @@ pub fn run() -> ExitCode {
     let machine = Machine::new(Parts {
         period_ms: PROGRAM.period_ms,
         inputs: &INPUTS,
+        analogue: &ANALOGUE_INPUTS,
+        analogue_labels: &ANALOGUE_LABELS,
         outputs: &OUTPUTS,
         plants: &PLANTS,
         script: DEMONSTRATION.as_ref(),
@@ -160,6 +163,7 @@ fn serve_plants(mut machine: Machine) -> ExitCode {
         layout: &PROGRAM.layout,
         inputs: &INPUTS,
         input_labels: &INPUT_LABELS,
+        analogue_labels: &ANALOGUE_LABELS,
         outputs: &OUTPUTS,
         output_labels: &OUTPUT_LABELS,
     };

@@ -5,14 +5,16 @@
 
 use grafcet_core::images::Images;
 
+use super::meter::Meter;
 use super::script::{Next, Outcome, Player, Script};
 use super::site::{PlantTables, Site};
-use crate::wiring::{InputWire, OutputWire};
+use crate::wiring::{AnalogueWire, InputWire, Label, OutputWire};
 
 /// Plants and script.
 pub struct Machine {
     site: Site,
     player: Option<Player>,
+    meters: Vec<Meter>,
     period_ms: u32,
 }
 
@@ -21,8 +23,12 @@ pub struct Machine {
 pub struct Parts {
     /// Scan period of the controller, in ms.
     pub period_ms: u32,
-    /// Its inputs.
+    /// Its Boolean inputs.
     pub inputs: &'static [InputWire],
+    /// Its numeric inputs.
+    pub analogue: &'static [AnalogueWire],
+    /// What these are called.
+    pub analogue_labels: &'static [Label],
     /// Its outputs.
     pub outputs: &'static [OutputWire],
     /// All plants of the application.
@@ -43,7 +49,8 @@ impl Machine {
         let plants = parts.plants.iter().enumerate().filter(chosen);
         let period_ms = parts.period_ms.max(1);
         Machine {
-            site: Site::new(plants, parts.inputs, parts.outputs),
+            site: Site::new(plants, parts.inputs, parts.analogue, parts.outputs),
+            meters: Meter::each(parts.analogue, parts.analogue_labels),
             player: parts.script.map(|script| Player::new(script, period_ms)),
             period_ms,
         }
@@ -62,9 +69,24 @@ impl Machine {
         next
     }
 
-    /// What stands at the controller's inputs, in the order of its wires.
+    /// What stands at the controller's Boolean inputs, in the order of its wires.
     pub fn inputs(&self) -> impl Iterator<Item = bool> {
         self.site.inputs()
+    }
+
+    /// What a converter reads at the controller's numeric inputs, in the order of its wires.
+    pub fn readings(&self) -> impl Iterator<Item = u16> {
+        let meters = self.meters.iter().zip(self.site.numbers());
+        meters.map(|(meter, value)| meter.reading(value))
+    }
+
+    /// The numeric inputs that have moved far enough to be shown, as a line for people; none when there are none.
+    pub fn take_moved(&mut self) -> Option<String> {
+        let meters = self.meters.iter_mut().zip(self.site.numbers());
+        let moved: Vec<String> = meters
+            .filter_map(|(meter, value)| meter.show(value))
+            .collect();
+        (!moved.is_empty()).then(|| moved.join(", "))
     }
 
     /// What the script has said since it was last asked.

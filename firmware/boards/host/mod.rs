@@ -2,7 +2,8 @@
 //!
 //! - [`command`]: the command line;
 //! - [`soft_plc`]: the controller, powered and run; [`panel`] and [`pins`]: its terminals; [`flash`]: its retain area;
-//! - [`machine`]: what stands around it: [`site`], the plants, and [`script`], the demonstration;
+//! - [`machine`]: what stands around it: [`site`], the plants, [`script`], the demonstration, and
+//!   [`meter`], what is shown of numbers;
 //! - [`server`]: the same machine for a controller elsewhere;
 //! - [`clock`]: real or simulated time; [`lines`]: the log.
 
@@ -11,6 +12,7 @@ pub mod command;
 pub mod flash;
 pub mod lines;
 pub mod machine;
+pub mod meter;
 pub mod panel;
 pub mod pins;
 pub mod script;

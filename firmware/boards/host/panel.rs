@@ -1,22 +1,27 @@
-//! The front panel of the soft PLC: the levels at its pins, and a line for each change of them.
+//! The front panel of the soft PLC: what stands at its pins, and a line for each change of them.
 
 use std::cell::Cell;
 
 use super::lines;
 use super::machine::Machine;
-use crate::application::{INPUT_LABELS, INPUTS, OUTPUT_LABELS, OUTPUTS};
+use crate::application::{ANALOGUE_INPUTS, INPUT_LABELS, INPUTS, OUTPUT_LABELS, OUTPUTS};
 use crate::wiring::Label;
 
-/// How many inputs there are.
+/// How many Boolean inputs there are.
 pub const INPUT_COUNT: usize = INPUTS.len();
 
 /// How many outputs there are.
 pub const OUTPUT_COUNT: usize = OUTPUTS.len();
 
-/// The levels at the pins, and the values that were shown last.
+/// How many numeric inputs there are.
+pub const ANALOGUE_COUNT: usize = ANALOGUE_INPUTS.len();
+
+/// What stands at the pins, and the values that were shown last.
 pub struct Panel {
     /// The input pins, in the order of their wires.
     pub inputs: [Cell<bool>; INPUT_COUNT],
+    /// What the converter reads at the analogue inputs, in the order of their wires.
+    pub readings: [Cell<u16>; ANALOGUE_COUNT],
     /// The output pins, in the order of their wires.
     pub outputs: [Cell<bool>; OUTPUT_COUNT],
     shown_inputs: Cell<[bool; INPUT_COUNT]>,
@@ -27,6 +32,7 @@ impl Default for Panel {
     fn default() -> Self {
         Panel {
             inputs: core::array::from_fn(|_| Cell::default()),
+            readings: core::array::from_fn(|_| Cell::default()),
             outputs: core::array::from_fn(|_| Cell::default()),
             shown_inputs: Cell::new([false; INPUT_COUNT]),
             shown_outputs: Cell::new([false; OUTPUT_COUNT]),
@@ -65,9 +71,15 @@ impl Panel {
     }
 
     /// Connects the inputs to the machine as it stands, and shows those that have changed.
-    pub fn connect(&self, machine: &Machine) {
-        let mut machine = machine.inputs();
-        let values: [bool; INPUT_COUNT] = core::array::from_fn(|_| machine.next().unwrap_or(false));
+    pub fn connect(&self, machine: &mut Machine) {
+        if let Some(moved) = machine.take_moved() {
+            lines::print(format_args!("  inputs   {moved}"));
+        }
+        for (pin, reading) in self.readings.iter().zip(machine.readings()) {
+            pin.set(reading);
+        }
+        let mut inputs = machine.inputs();
+        let values: [bool; INPUT_COUNT] = core::array::from_fn(|_| inputs.next().unwrap_or(false));
         for ((pin, wire), value) in self.inputs.iter().zip(&INPUTS).zip(values) {
             pin.set(value != wire.active_low);
         }

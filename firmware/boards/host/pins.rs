@@ -1,15 +1,26 @@
-//! Pins that are not there: levels between a controller and the machine on the same host.
+//! Pins that are not there: levels and voltages between a controller and the machine on the same host.
 
 use std::cell::Cell;
 use std::convert::Infallible;
 
 use embedded_hal::digital::{ErrorType, InputPin, OutputPin};
 
+use crate::analogue::Converter;
+
 /// An input pin. Whoever has the cell sets its level.
 pub struct Input<'a>(pub &'a Cell<bool>);
 
 /// An output pin. Whoever has the cell reads its level.
 pub struct Output<'a>(pub &'a Cell<bool>);
+
+/// A converter. Whoever has the cells sets what it reads.
+pub struct Readings<'a>(pub &'a [Cell<u16>]);
+
+impl Converter for Readings<'_> {
+    fn convert(&mut self, terminal: usize) -> Option<u16> {
+        self.0.get(terminal).map(Cell::get)
+    }
+}
 
 impl ErrorType for Input<'_> {
     type Error = Infallible;

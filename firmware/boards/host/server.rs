@@ -6,6 +6,7 @@
 //! period 10
 //! memory 6 5
 //! input GP2 high Onduty
+//! analogue GP26 level
 //! output GP16 high BL10
 //! ready
 //! ```
@@ -15,9 +16,11 @@
 //! `0` and `1`, `-` when there are none. IMAGE and NUMBERS are what the engine's memory begins with: so many words of
 //! the image, in hexadecimal, and so many numbers, in decimal, as `memory` says; each separated by commas.
 //!
-//! The answer is any number of lines `say TEXT`, then one of
+//! The answer is any number of lines `say TEXT` and perhaps a line `moved TEXT`, for people: what the script says, and
+//! which numbers have moved. Then comes one of
 //!
-//! - `inputs LEVELS`: put these on the input pins and run one scan;
+//! - `inputs LEVELS READINGS`: put these on the input pins and run one scan. READINGS are what the converter is to read
+//!   at the analogue inputs, from 0 to 4095 and separated by commas, `-` when there are none;
 //! - `power-cycle`: take the power away and give it back, then ask with `power`;
 //! - `end held`, or `end failed TEXT`: the script is over.
 
@@ -38,10 +41,12 @@ pub struct Terminals {
     pub period_ms: u32,
     /// Where the images lie.
     pub layout: &'static Layout,
-    /// The inputs.
+    /// The Boolean inputs.
     pub inputs: &'static [InputWire],
     /// What they are called.
     pub input_labels: &'static [Label],
+    /// What the numeric inputs are called.
+    pub analogue_labels: &'static [Label],
     /// The outputs.
     pub outputs: &'static [OutputWire],
     /// What they are called.
@@ -104,9 +109,15 @@ pub fn serve(
         }
         match next {
             Next::Scan => {
+                if let Some(moved) = machine.take_moved() {
+                    writeln!(answers, "moved {moved}")?;
+                }
                 let levels = machine.inputs().zip(terminals.inputs);
                 let levels = levels.map(|(value, wire)| value != wire.active_low);
-                writeln!(answers, "inputs {}", written(levels))?;
+                let levels: String = levels.map(|level| if level { '1' } else { '0' }).collect();
+                let readings: Vec<String> = machine.readings().map(|it| it.to_string()).collect();
+                let (levels, readings) = (or_dash(levels), or_dash(readings.join(",")));
+                writeln!(answers, "inputs {levels} {readings}")?;
             }
             Next::PowerCycle => writeln!(answers, "power-cycle")?,
             Next::End(Outcome::Held) => writeln!(answers, "end held")?,
@@ -130,6 +141,9 @@ fn greet(terminals: &Terminals, answers: &mut impl Write) -> io::Result<()> {
             active(wire.active_low),
             label.name
         )?;
+    }
+    for label in terminals.analogue_labels {
+        writeln!(answers, "analogue {} {}", label.pin, label.name)?;
     }
     for (wire, label) in terminals.outputs.iter().zip(terminals.output_labels) {
         writeln!(
@@ -185,8 +199,8 @@ fn read_levels(text: &str) -> Option<Vec<bool>> {
     }
 }
 
-fn written(levels: impl Iterator<Item = bool>) -> String {
-    let text: String = levels.map(|level| if level { '1' } else { '0' }).collect();
+/// What is nothing is written as a dash.
+fn or_dash(text: String) -> String {
     if text.is_empty() {
         "-".to_owned()
     } else {

@@ -7,7 +7,7 @@ use grafcet_core::program::{Compiled, Program, Slot};
 use grafcet_core::vectors::Vectors;
 
 use super::script::Place;
-use crate::wiring::{InputWire, OutputWire};
+use crate::wiring::{AnalogueWire, InputWire, OutputWire};
 
 /// A plant, as the build lowered it.
 #[derive(Debug)]
@@ -40,8 +40,8 @@ struct Plant {
 /// The terminal of one of the controller's inputs.
 struct Terminal {
     slot: Slot,
-    /// What stands at it.
-    value: bool,
+    /// What stands at it; 0 and 1 for a Boolean.
+    value: i32,
     /// What the controller's last scan saw.
     seen: i32,
     /// Set by the script, and not given back.
@@ -53,6 +53,7 @@ impl Site {
     pub fn new(
         plants: impl Iterator<Item = (usize, &'static PlantTables)>,
         inputs: &'static [InputWire],
+        analogue: &'static [AnalogueWire],
         outputs: &'static [OutputWire],
     ) -> Self {
         let plants = plants.map(|(index, tables)| Plant {
@@ -60,9 +61,11 @@ impl Site {
             tables,
             engine: new_engine(&tables.program),
         });
-        let inputs = inputs.iter().map(|wire| Terminal {
-            slot: Slot::Bit(wire.bit),
-            value: false,
+        let bits = inputs.iter().map(|wire| Slot::Bit(wire.bit));
+        let numbers = analogue.iter().map(|wire| Slot::Number(wire.number));
+        let inputs = bits.chain(numbers).map(|slot| Terminal {
+            slot,
+            value: 0,
             seen: 0,
             overridden: false,
         });
@@ -74,9 +77,18 @@ impl Site {
         }
     }
 
-    /// The values at the controller's inputs, in the order of its wires.
+    /// The values at the controller's Boolean inputs, in the order of its wires.
     pub fn inputs(&self) -> impl Iterator<Item = bool> {
-        self.inputs.iter().map(|terminal| terminal.value)
+        let bits = self.inputs.iter();
+        let bits = bits.filter(|terminal| matches!(terminal.slot, Slot::Bit(_)));
+        bits.map(|terminal| terminal.value != 0)
+    }
+
+    /// The values at the controller's numeric inputs, in the order of its wires.
+    pub fn numbers(&self) -> impl Iterator<Item = i32> {
+        let numbers = self.inputs.iter();
+        let numbers = numbers.filter(|terminal| matches!(terminal.slot, Slot::Number(_)));
+        numbers.map(|terminal| terminal.value)
     }
 
     /// A value of a plant; 0 for one that does not run.
@@ -93,7 +105,7 @@ impl Site {
             Place::Controller(slot) => {
                 let terminal = self.inputs.iter_mut().find(|it| it.slot == slot);
                 terminal.is_some_and(|terminal| {
-                    terminal.value = value != 0;
+                    terminal.put(value);
                     terminal.overridden = true;
                     true
                 })
@@ -144,11 +156,20 @@ impl Site {
             for (from, to) in plant.tables.writes {
                 let terminals = self.inputs.iter_mut();
                 for terminal in terminals.filter(|it| it.slot == *to && !it.overridden) {
-                    terminal.value = plant.engine.value(*from) != 0;
+                    terminal.put(plant.engine.value(*from));
                 }
             }
         }
         self.scans += 1;
+    }
+}
+
+impl Terminal {
+    fn put(&mut self, value: i32) {
+        self.value = match self.slot {
+            Slot::Bit(_) => i32::from(value != 0),
+            Slot::Number(_) => value,
+        };
     }
 }
 

@@ -20,9 +20,12 @@ use super::flash::FlashFile;
 use super::lines;
 use super::machine::Machine;
 use super::panel::Panel;
-use super::pins::{Input, Output};
+use super::pins::{Input, Output, Readings};
 use super::script::{Next, Outcome};
-use crate::application::{INPUTS, NAMES, OUTPUTS, PROGRAM, RETAIN, Storage, ThisProgram};
+use crate::analogue::Analogue;
+use crate::application::{
+    ANALOGUE_INPUTS, INPUTS, NAMES, OUTPUTS, PROGRAM, RETAIN, Storage, ThisProgram,
+};
 use crate::boot::{Cause, boot};
 use crate::input::Inputs;
 use crate::log::Observer;
@@ -72,7 +75,11 @@ async fn power_on(board: SoftPlc<'_>, retain: &Path) -> io::Result<()> {
     let changes = Changes::new();
     let controller = Controller {
         engine,
-        inputs: Inputs::new(panel.inputs.each_ref().map(Input), &INPUTS),
+        inputs: Inputs::new(
+            panel.inputs.each_ref().map(Input),
+            &INPUTS,
+            Analogue::new(Readings(&panel.readings), &ANALOGUE_INPUTS),
+        ),
         outputs: Outputs::new(panel.outputs.each_ref().map(Output), &OUTPUTS),
         board,
         changes: &changes,
@@ -108,7 +115,7 @@ impl SoftPlc<'_> {
         for text in machine.take_said() {
             lines::print(format_args!("-- {text}"));
         }
-        self.panel.connect(&machine);
+        self.panel.connect(&mut machine);
         if next != Next::Scan {
             self.moved.signal(next);
         }

@@ -12,6 +12,7 @@ use core::sync::atomic::{AtomicU32, Ordering};
 use defmt_rtt as _;
 use embassy_embedded_hal::adapter::BlockingAsync;
 use embassy_executor::InterruptExecutor;
+use embassy_rp::adc::{self, Adc, Channel};
 use embassy_rp::flash::{Blocking, Flash};
 use embassy_rp::gpio::{Input, Output};
 use embassy_rp::interrupt;
@@ -22,8 +23,10 @@ use grafcet_core::engine::Engine;
 use grafcet_core::memory::Memory;
 use grafcet_core::program::Compiled;
 
+use crate::analogue::{Analogue, Converter};
 use crate::application::{
-    INPUTS, NAMES, OUTPUTS, PROGRAM, RETAIN, Storage, ThisProgram, WATCHDOG_MS, board_pins,
+    ANALOGUE_INPUTS, INPUTS, NAMES, OUTPUTS, PROGRAM, RETAIN, Storage, ThisProgram, WATCHDOG_MS,
+    board_pins,
 };
 use crate::boot::boot;
 use crate::input::Inputs;
@@ -64,9 +67,11 @@ type PicoController = Controller<
     ThisProgram,
     &'static mut Storage,
     Input<'static>,
+    Voltmeter,
     Output<'static>,
     Pico,
     { INPUTS.len() },
+    { ANALOGUE_INPUTS.len() },
     { OUTPUTS.len() },
     RETAINED,
 >;
@@ -74,7 +79,7 @@ type PicoController = Controller<
 /// Brings the program up on the board and runs it. To be called once, from the thread-mode executor's main task.
 pub async fn run() -> ! {
     let p = embassy_rp::init(embassy_rp::config::Config::default());
-    let (inputs, outputs) = board_pins!(p);
+    let (inputs, channels, outputs) = board_pins!(p);
     let outputs = Outputs::new(outputs, &OUTPUTS);
     let mut watchdog = Watchdog::new(p.WATCHDOG);
     let cause = reset::cause(&mut watchdog);
@@ -89,9 +94,15 @@ pub async fn run() -> ! {
     boot(&mut engine, &NAMES, &mut store, cause).await;
 
     let stored = snapshot(&engine);
+    let voltmeter = Voltmeter {
+        // Without analogue inputs the converter stays without power.
+        adc: (!ANALOGUE_INPUTS.is_empty())
+            .then(|| Adc::new_blocking(p.ADC, adc::Config::default())),
+        channels,
+    };
     let controller = Controller {
         engine,
-        inputs: Inputs::new(inputs, &INPUTS),
+        inputs: Inputs::new(inputs, &INPUTS, Analogue::new(voltmeter, &ANALOGUE_INPUTS)),
         outputs,
         board: Pico { watchdog },
         changes: &CHANGES,
@@ -116,6 +127,20 @@ async fn scan(controller: PicoController) -> ! {
 unsafe fn SWI_IRQ_0() {
     // SAFETY: this is the handler of the interrupt that the executor was started with, which enabled it.
     unsafe { SCAN_EXECUTOR.on_interrupt() }
+}
+
+/// The RP2040's converter with its channels, in the order of the wires.
+struct Voltmeter {
+    adc: Option<Adc<'static, adc::Blocking>>,
+    channels: [Channel<'static>; ANALOGUE_INPUTS.len()],
+}
+
+impl Converter for Voltmeter {
+    /// 96 cycles of 48 MHz, 2 us, after which the converter is ready in any case.
+    fn convert(&mut self, terminal: usize) -> Option<u16> {
+        let channel = self.channels.get_mut(terminal)?;
+        self.adc.as_mut()?.blocking_read(channel).ok()
+    }
 }
 
 /// What the Pico does around a scan.

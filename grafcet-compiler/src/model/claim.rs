@@ -173,7 +173,7 @@ impl Resolver<'_> {
         };
         let help = self.suggest_or_list(&name.text, "", |resolver| {
             let plants = resolver.model.plants();
-            plants.map(|id| resolver.model[id].name.clone()).collect()
+            plants.map(|id| resolver.model[id].name.as_str()).collect()
         });
         self.report_with_help(
             Diagnostic::new(Rule::UnknownGraph, name.span, message),

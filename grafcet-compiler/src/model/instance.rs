@@ -78,7 +78,12 @@ impl<'a> Resolver<'a> {
             return;
         }
         let help = self.suggest_or_list(&name.text, "", |resolver| {
-            resolver.names.templates.keys().cloned().collect()
+            resolver
+                .names
+                .templates
+                .keys()
+                .map(String::as_str)
+                .collect()
         });
         let message = format!("there is no template `{}`", name.text);
         self.report_with_help(
@@ -172,8 +177,8 @@ impl<'a> Resolver<'a> {
             }
             None => {
                 let help = self.suggest_or_list(&name.text, "", |resolver| {
-                    let names = interface.iter().map(|id| &resolver.model[*id].name);
-                    names.cloned().collect()
+                    let names = interface.iter();
+                    names.map(|id| resolver.model[*id].name.as_str()).collect()
                 });
                 self.report_with_help(diagnostic, help);
             }

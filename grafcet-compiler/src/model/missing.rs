@@ -44,7 +44,8 @@ impl Resolver<'_> {
             };
             let scopes = view.home().into_iter().chain(plants.iter().copied());
             let inside = scopes.flat_map(|graph| names.scopes[graph.0].names.keys());
-            inside.chain(names.application.keys()).cloned().collect()
+            let all = inside.chain(names.application.keys());
+            all.map(String::as_str).collect()
         });
         if nearest.is_none() && self.may_be_nameless(view) {
             return;
@@ -127,7 +128,7 @@ impl Resolver<'_> {
             resolver.names.scopes[graph.0]
                 .names
                 .keys()
-                .cloned()
+                .map(String::as_str)
                 .collect()
         });
         let global = self.names.application.contains_key(&name.text);
@@ -153,7 +154,7 @@ impl Resolver<'_> {
             resolver.names.scopes[graph.0]
                 .steps
                 .keys()
-                .cloned()
+                .map(String::as_str)
                 .collect()
         });
         let diagnostic = Diagnostic::new(
@@ -181,7 +182,7 @@ impl Resolver<'_> {
             ))
         } else {
             self.suggest_or_list(&name.text, "", |resolver| {
-                resolver.names.graphs.keys().cloned().collect()
+                resolver.names.graphs.keys().map(String::as_str).collect()
             })
         };
         self.report_with_help(diagnostic, help);

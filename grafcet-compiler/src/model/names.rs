@@ -154,7 +154,7 @@ impl<'a> Resolver<'a> {
     fn find_system(&mut self, name: &ast::Name) -> Option<Found> {
         let found = System::ALL.into_iter().find(|it| it.name() == name.text);
         if found.is_none() {
-            let known = System::ALL.map(|it| it.name().to_owned());
+            let known = System::ALL.map(System::name);
             let nearest = nearest(&name.text, &known);
             self.report_with_help(
                 Diagnostic::new(

@@ -9,7 +9,7 @@ use crate::diagnostic::{Diagnostic, Rule};
 use crate::source::Span;
 
 /// How many steps all comparisons `S(G) = {..}` of an application may look at: the steps of `G`, each time.
-pub const MAX_COMPARED: usize = 1_000_000;
+pub const MAX_COMPARED: usize = 200_000;
 
 impl Resolver<'_> {
     /// An expression that must be Boolean; `what` says what it is.

@@ -9,6 +9,9 @@ const MOST_LISTED: usize = 12;
 /// names are suggested: a file of nothing but unknown names must not take long.
 const BUDGET: usize = 60_000_000;
 
+/// What each name costs beside its characters.
+const EACH: usize = 64;
+
 /// What is left of it.
 pub(super) struct Suggestions {
     left: usize,
@@ -26,11 +29,13 @@ impl Resolver<'_> {
         &mut self,
         name: &str,
         prefix: &str,
-        known: impl FnOnce(&Self) -> Vec<String>,
+        known: impl for<'s> FnOnce(&'s Self) -> Vec<&'s str>,
     ) -> Option<String> {
-        let known = self.candidates(known)?;
-        let near = self.suggestions.nearest(name, &known)?;
-        Some(format!("did you mean `{prefix}{near}`?"))
+        let near = |known: &[&str], suggestions: &mut Suggestions| {
+            let near = suggestions.nearest(name, known)?;
+            Some(format!("did you mean `{prefix}{near}`?"))
+        };
+        self.look(known, near)
     }
 
     /// The same, or all that is known when none is near and there are few.
@@ -38,34 +43,47 @@ impl Resolver<'_> {
         &mut self,
         name: &str,
         prefix: &str,
-        known: impl FnOnce(&Self) -> Vec<String>,
+        known: impl for<'s> FnOnce(&'s Self) -> Vec<&'s str>,
     ) -> Option<String> {
-        let mut known = self.candidates(known)?;
-        if let Some(near) = self.suggestions.nearest(name, &known) {
-            return Some(format!("did you mean `{prefix}{near}`?"));
-        }
-        if known.len() > MOST_LISTED {
-            return None;
-        }
-        known.sort_by(|a, b| (a.len(), a).cmp(&(b.len(), b)));
-        match known.as_slice() {
-            [only] => Some(format!("there is only `{prefix}{only}`")),
-            [first @ .., last] => {
-                let first = first.join(&format!("`, `{prefix}"));
-                Some(format!("there are `{prefix}{first}` and `{prefix}{last}`"))
+        self.look(known, |known, suggestions| {
+            if let Some(near) = suggestions.nearest(name, known) {
+                return Some(format!("did you mean `{prefix}{near}`?"));
             }
-            [] => None,
-        }
+            if known.len() > MOST_LISTED {
+                return None;
+            }
+            let mut known = known.to_vec();
+            known.sort_by_key(|it| (it.len(), *it));
+            match known.as_slice() {
+                [only] => Some(format!("there is only `{prefix}{only}`")),
+                [first @ .., last] => {
+                    let first = first.join(&format!("`, `{prefix}"));
+                    Some(format!("there are `{prefix}{first}` and `{prefix}{last}`"))
+                }
+                [] => None,
+            }
+        })
     }
 
-    fn candidates(&mut self, known: impl FnOnce(&Self) -> Vec<String>) -> Option<Vec<String>> {
-        (self.suggestions.left > 0).then(|| known(self))
+    /// Looks for advice among the known names, as long as that does not take too long.
+    fn look(
+        &mut self,
+        known: impl for<'s> FnOnce(&'s Self) -> Vec<&'s str>,
+        advice: impl FnOnce(&[&str], &mut Suggestions) -> Option<String>,
+    ) -> Option<String> {
+        if self.suggestions.left == 0 {
+            return None;
+        }
+        let mut suggestions = std::mem::take(&mut self.suggestions);
+        let advice = advice(&known(self), &mut suggestions);
+        self.suggestions = suggestions;
+        advice
     }
 }
 
 impl Suggestions {
     /// The known name nearest to one that is not known, if one is near at all.
-    fn nearest<'n>(&mut self, name: &str, known: &'n [String]) -> Option<&'n str> {
+    fn nearest<'n>(&mut self, name: &str, known: &[&'n str]) -> Option<&'n str> {
         let length = name.chars().count();
         let far = length.div_ceil(3).min(length.saturating_sub(1));
         let lower = name.to_lowercase();
@@ -75,7 +93,7 @@ impl Suggestions {
             // Every character more or less is one step away.
             let comparable = length.abs_diff(other) <= far;
             let cost = if comparable { length * other } else { 0 };
-            self.left = self.left.saturating_sub(cost + other + 8);
+            self.left = self.left.saturating_sub(cost + other + EACH);
             if self.left == 0 {
                 return None;
             }
@@ -87,7 +105,7 @@ impl Suggestions {
                 continue;
             };
             if distance <= far {
-                let near = (distance, candidate.as_str());
+                let near = (distance, *candidate);
                 found = Some(found.map_or(near, |nearest| nearest.min(near)));
             }
         }
@@ -96,6 +114,6 @@ impl Suggestions {
 }
 
 /// The nearest of a few names.
-pub(super) fn nearest<'n>(name: &str, known: &'n [String]) -> Option<&'n str> {
+pub(super) fn nearest<'n>(name: &str, known: &[&'n str]) -> Option<&'n str> {
     Suggestions::default().nearest(name, known)
 }

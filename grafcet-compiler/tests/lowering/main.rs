@@ -8,6 +8,7 @@ mod places;
 mod plants;
 mod sharing;
 mod structure;
+mod substitution;
 mod watches;
 
 use grafcet_compiler::application::{Application, Tables};

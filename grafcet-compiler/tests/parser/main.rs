@@ -2,7 +2,6 @@
 
 mod declarations;
 mod expressions;
-mod fuzz;
 mod graphs;
 mod lexical;
 mod limits;

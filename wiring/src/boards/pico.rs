@@ -20,6 +20,15 @@ const fn pin(name: &'static str, peripheral: &'static str, purpose: Purpose) -> 
         name,
         peripheral,
         purpose,
+        analogue: false,
+    }
+}
+
+/// A pin that the converter's multiplexer reaches.
+const fn analogue(name: &'static str, peripheral: &'static str, purpose: Purpose) -> Pin {
+    Pin {
+        analogue: true,
+        ..pin(name, peripheral, purpose)
     }
 }
 
@@ -60,13 +69,13 @@ const PINS: &[Pin] = &[
         "PIN_25",
         Purpose::Output("it lights the LED on the board"),
     ),
-    pin("GP26", "PIN_26", Purpose::Free),
-    pin("GP27", "PIN_27", Purpose::Free),
-    pin("GP28", "PIN_28", Purpose::Free),
-    pin(
+    analogue("GP26", "PIN_26", Purpose::Free),
+    analogue("GP27", "PIN_27", Purpose::Free),
+    analogue("GP28", "PIN_28", Purpose::Free),
+    analogue(
         "GP29",
         "PIN_29",
-        Purpose::Reserved("it measures the supply voltage"),
+        Purpose::AnalogueInput("it measures the supply voltage, a third of it"),
     ),
     // Last to be proposed: the serial line's usual place.
     pin("GP0", "PIN_0", Purpose::Free),
