@@ -88,6 +88,42 @@ fn a_start_that_was_held_up_serves_the_latest_release_that_is_due() {
     );
 }
 
+#[test]
+fn releases_keep_their_times_where_32_bits_of_them_end_and_years_later() {
+    const MICROSECONDS: u64 = 1 << 32;
+    const MILLISECONDS: u64 = (1 << 32) * 1_000;
+    const YEAR: u64 = 365 * 24 * 3_600_000_000;
+    for end in [
+        MICROSECONDS,
+        7 * MICROSECONDS,
+        MILLISECONDS,
+        9 * MILLISECONDS,
+        50 * YEAR,
+    ] {
+        let mut schedule = schedule();
+        // Nothing ran until shortly before.
+        let before = end - 1_000_000;
+        let mut last = schedule.serve(at(before)).time_ms;
+        assert_eq!(last, (before - 5_000) / 10_000 * 10);
+        for scan in 1..=300 {
+            assert_eq!(schedule.complete(schedule.release()), 0);
+            let served = schedule.serve(schedule.release());
+            assert_eq!(
+                (served.time_ms, served.missed),
+                (last + 10, 0),
+                "scan {scan}"
+            );
+            assert_eq!(
+                at(5_000) + Duration::from_millis(served.time_ms) + Duration::from_millis(10),
+                schedule.release()
+            );
+            last = served.time_ms;
+        }
+        assert!(last * 1_000 > end);
+        assert_eq!(schedule.faults().overruns, 1);
+    }
+}
+
 proptest! {
     #[test]
     fn times_are_releases_ascend_and_are_never_ahead_of_the_clock(
