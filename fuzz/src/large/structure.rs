@@ -152,7 +152,7 @@ pub(super) const SHAPES: &[Shape] = &[
             let orders = each(bytes / 2, |n| format!("F/H:{{{n}}}\n"));
             format!(
                 "graph G {{ initial step 1 {{ {orders} }} }}\n{}",
-                steps("H", bytes)
+                steps("H", bytes / 2)
             )
         },
     },

@@ -44,20 +44,21 @@ impl Node {
 
     /// Two operands of which at least one is Boolean if `boolean` is set.
     pub fn binary(operator: Binary, left: Node, right: Node, boolean: bool) -> Node {
-        match (&left, &right) {
+        let both = |left, right| Node::Binary(operator, Box::new(left), Box::new(right));
+        match (left, right) {
             (Node::Constant(left), Node::Constant(right)) => {
-                if let Some(value) = combine(operator, Some(*left), Some(*right)) {
-                    return Node::Constant(value);
-                }
+                let value = combine(operator, Some(left), Some(right));
+                value.map_or_else(
+                    || both(Node::Constant(left), Node::Constant(right)),
+                    Node::Constant,
+                )
             }
-            (Node::Constant(constant), other) | (other, Node::Constant(constant)) if boolean => {
-                if let Some(simple) = absorb(operator, *constant, other) {
-                    return simple;
-                }
-            }
-            _ => {}
+            (Node::Constant(constant), other) if boolean => absorb(operator, constant, other)
+                .unwrap_or_else(|other| both(Node::Constant(constant), other)),
+            (other, Node::Constant(constant)) if boolean => absorb(operator, constant, other)
+                .unwrap_or_else(|other| both(other, Node::Constant(constant))),
+            (left, right) => both(left, right),
         }
-        Node::Binary(operator, Box::new(left), Box::new(right))
     }
 
     /// Whether evaluating it can count an arithmetic fault, so that it must not be left out.
@@ -121,19 +122,17 @@ pub(super) struct Conjuncts {
     pub others: Vec<Node>,
 }
 
-/// A Boolean operator on a constant and something else.
-fn absorb(operator: Binary, constant: i32, other: &Node) -> Option<Node> {
+/// A Boolean operator on a constant and something else, which is given back when it has to stay.
+fn absorb(operator: Binary, constant: i32, other: Node) -> Result<Node, Node> {
     let truth = constant != 0;
     match (operator, truth) {
-        (Binary::And, true) | (Binary::Or, false) | (Binary::Xor, false) => Some(other.clone()),
-        (Binary::Equal, true) | (Binary::NotEqual, false) => Some(other.clone()),
-        (Binary::Xor, true) | (Binary::Equal, false) | (Binary::NotEqual, true) => {
-            Some(other.clone().not())
-        }
+        (Binary::And, true) | (Binary::Or, false) | (Binary::Xor, false) => Ok(other),
+        (Binary::Equal, true) | (Binary::NotEqual, false) => Ok(other),
+        (Binary::Xor, true) | (Binary::Equal, false) | (Binary::NotEqual, true) => Ok(other.not()),
         (Binary::And, false) | (Binary::Or, true) if !other.can_fault() => {
-            Some(Node::Constant(constant))
+            Ok(Node::Constant(constant))
         }
-        _ => None,
+        _ => Err(other),
     }
 }
 

@@ -61,11 +61,11 @@ impl Resolver<'_> {
 
     /// Whether what is not found may be what was declared without a name.
     fn may_be_nameless(&self, view: View) -> bool {
-        let mut scopes = match view.home() {
-            Some(home) => self.names.scopes[home.0..=home.0].iter(),
-            None => self.names.scopes.iter(),
+        let inside = match view.home() {
+            Some(home) => self.names.scopes[home.0].nameless,
+            None => self.names.nameless_inside,
         };
-        self.names.nameless || scopes.any(|scope| scope.nameless)
+        self.names.nameless || inside
     }
 
     /// Whether `X` and this identifier are meant as a step bit: digits always are; a letter and digits only where some
@@ -74,16 +74,13 @@ impl Resolver<'_> {
         let Some(letter) = id.chars().next().filter(|c| !c.is_ascii_digit()) else {
             return true;
         };
-        let mut scopes = match view.home() {
-            Some(home) => self.names.scopes[home.0..=home.0].iter(),
-            None => self.names.scopes.iter(),
+        let Some(home) = view.home() else {
+            return self.names.step_letters.contains(&letter);
         };
-        scopes.any(|scope| {
-            let mut same_letter = scope.steps.range(letter.to_string()..);
-            same_letter
-                .next()
-                .is_some_and(|(id, _)| id.starts_with(letter))
-        })
+        let mut same_letter = self.names.scopes[home.0].steps.range(letter.to_string()..);
+        same_letter
+            .next()
+            .is_some_and(|(id, _)| id.starts_with(letter))
     }
 
     /// Reports an identifier such as `07`, which names no step and cannot: whether it is one.

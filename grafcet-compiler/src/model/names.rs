@@ -31,6 +31,10 @@ pub(super) struct Names<'a> {
     pub scopes: Vec<Scope>,
     /// The graphs and plants that have a name or a step bit, by [`Names::note_holders`].
     pub holders: BTreeMap<String, Vec<GraphId>>,
+    /// The letters by which any steps are called.
+    pub step_letters: BTreeSet<char>,
+    /// Some graph has something without a name.
+    pub nameless_inside: bool,
 }
 
 /// The names inside a graph.
@@ -105,6 +109,10 @@ impl Names<'_> {
     /// Notes which graphs have which names, now that all of them are known.
     pub fn note_holders(&mut self) {
         for (index, scope) in self.scopes.iter().enumerate() {
+            let first = scope.steps.keys().filter_map(|id| id.chars().next());
+            self.step_letters
+                .extend(first.filter(|c| !c.is_ascii_digit()));
+            self.nameless_inside |= scope.nameless;
             let bits = scope.steps.keys().map(|id| format!("X{id}"));
             for name in scope.names.keys().cloned().chain(bits) {
                 let holders = self.holders.entry(name).or_default();
@@ -193,12 +201,18 @@ impl<'a> Resolver<'a> {
     /// In a test or a property, what only one graph has may go unqualified; what no graph has, but one of the plants.
     fn find_in_claim(&mut self, name: &ast::Name, plants: &[GraphId], view: View) -> Option<Found> {
         let holders = self.names.holders.get(&name.text);
-        let holders = || holders.into_iter().flatten().copied();
+        let holders = holders.map_or(&[][..], Vec::as_slice);
         // Plants stand behind the graphs of the controller; two of a kind are too many.
-        let of_graphs = holders().take_while(|graph| !self.model[*graph].plant);
-        let mut holding: Vec<GraphId> = of_graphs.take(2).collect();
-        if holding.is_empty() {
-            holding.extend(holders().filter(|graph| plants.contains(graph)).take(2));
+        let of_graphs = holders
+            .iter()
+            .take_while(|graph| !self.model[**graph].plant);
+        let mut holding: Vec<GraphId> = of_graphs.take(2).copied().collect();
+        if holding.is_empty() && plants.len() < holders.len() {
+            let running = plants.iter().filter(|it| holders.binary_search(it).is_ok());
+            holding.extend(running.take(2));
+        } else if holding.is_empty() {
+            let running = holders.iter().filter(|it| plants.contains(it));
+            holding.extend(running.take(2));
         }
         let inside = |graph: GraphId| Some((graph, self.find_inside(graph, &name.text)?));
         let found: Vec<(GraphId, Found)> = holding.into_iter().filter_map(inside).collect();
