@@ -204,19 +204,18 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
     /// so that this one would find and do exactly the same. Nothing is evaluated then, and nothing needs writing.
     #[inline]
     pub fn scan(&mut self, time_ms: u64) -> bool {
-        let due = time_ms >= self.due_ms;
-        if self.news == News::None && !due {
+        if self.news == News::None && time_ms < self.due_ms {
             return false;
         }
-        self.full_scan(time_ms, due);
+        self.full_scan(time_ms);
         true
     }
 
     #[inline(never)]
-    fn full_scan(&mut self, time_ms: u64, due: bool) {
+    fn full_scan(&mut self, time_ms: u64) {
         let tables = self.tables;
         let program = tables.program();
-        let fresh = due || self.news == News::Fresh;
+        let fresh = self.news == News::Fresh || time_ms >= self.due_ms;
         self.news = if fresh { News::Changed } else { News::None };
         self.due_ms = NEVER;
         self.now_ms = time_ms;

@@ -161,15 +161,19 @@ pub trait Memory {
     fn standings_mut(&mut self) -> &mut [Standing];
 }
 
-/// Writes the methods of [`Memory`] for a type with fields of the same names.
-macro_rules! stores_in_fields {
-    () => {
-        stores_in_fields! {
+/// Writes the methods of [`Memory`] in one of the two ways below.
+macro_rules! memory_methods {
+    ($way:ident) => {
+        $way! {
             image image_mut u32, numbers numbers_mut i32, before before_mut u32, before_scan before_scan_mut u32,
             fired fired_mut u32, passed passed_mut u32, stack stack_mut i32, stamps stamps_mut u64,
             standings standings_mut Standing
         }
     };
+}
+
+/// For a type with fields of the same names.
+macro_rules! in_fields {
     ($($field:ident $field_mut:ident $type:ty),*) => {$(
         #[inline(always)]
         fn $field(&self) -> &[$type] {
@@ -182,15 +186,8 @@ macro_rules! stores_in_fields {
     )*};
 }
 
-/// Writes the methods of [`Memory`] for a reference to another one.
-macro_rules! stores_in_target {
-    () => {
-        stores_in_target! {
-            image image_mut u32, numbers numbers_mut i32, before before_mut u32, before_scan before_scan_mut u32,
-            fired fired_mut u32, passed passed_mut u32, stack stack_mut i32, stamps stamps_mut u64,
-            standings standings_mut Standing
-        }
-    };
+/// For a reference to another memory.
+macro_rules! in_target {
     ($($field:ident $field_mut:ident $type:ty),*) => {$(
         #[inline(always)]
         fn $field(&self) -> &[$type] {
@@ -226,11 +223,11 @@ impl<
         STANDINGS,
     >
 {
-    stores_in_fields!();
+    memory_methods!(in_fields);
 }
 
 impl<M: Memory> Memory for &mut M {
-    stores_in_target!();
+    memory_methods!(in_target);
 }
 
 /// A store, as the engine works with it.

@@ -40,5 +40,5 @@ impl Vectors {
 }
 
 impl Memory for Vectors {
-    stores_in_fields!();
+    memory_methods!(in_fields);
 }
