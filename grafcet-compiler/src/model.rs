@@ -204,6 +204,17 @@ impl Variable {
         }
     }
 
+    /// An address that would do for an input or output; a time has none.
+    pub(crate) fn example_of_address(&self) -> Option<&'static str> {
+        match (self.kind, self.ty) {
+            (DeclarationKind::Input, Type::Bool) => Some("%IX0.0"),
+            (DeclarationKind::Input, Type::Int) => Some("%IW0"),
+            (DeclarationKind::Output, Type::Bool) => Some("%QX0.0"),
+            (DeclarationKind::Output, Type::Int) => Some("%QW0"),
+            _ => None,
+        }
+    }
+
     /// The value in scan 0: what is declared, or 0 and False, or the nearest bound.
     #[must_use]
     pub fn first_value(&self) -> i32 {

@@ -50,9 +50,9 @@ fn shared(model: &Model, address: Address, first: VariableId, second: VariableId
 }
 
 fn without_address(model: &Model, variable: &Variable) -> Option<Diagnostic> {
-    let (what, example) = match variable.kind {
-        DeclarationKind::Input => ("input", "%IX0.0"),
-        DeclarationKind::Output => ("output", "%QX0.0"),
+    let what = match variable.kind {
+        DeclarationKind::Input => "input",
+        DeclarationKind::Output => "output",
         _ => return None,
     };
     let in_plant = variable.owner.is_some_and(|owner| model[owner].plant);
@@ -63,11 +63,13 @@ fn without_address(model: &Model, variable: &Variable) -> Option<Diagnostic> {
         "the {what} `{}` has no address, and no pin can be wired to it",
         variable.name
     );
-    Some(
-        Diagnostic::new(Rule::NoAddress, variable.span, message).help(format!(
+    let diagnostic = Diagnostic::new(Rule::NoAddress, variable.span, message);
+    Some(match variable.example_of_address() {
+        Some(example) => diagnostic.help(format!(
             "write an address behind the name, as `at {example}`"
         )),
-    )
+        None => diagnostic,
+    })
 }
 
 /// Warns of names that differ only in case: within the application, and inside a graph from what can be named there.

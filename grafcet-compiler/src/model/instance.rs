@@ -203,17 +203,14 @@ impl<'a> Resolver<'a> {
                 "`{}` of the template `{}` is not bound",
                 variable.name, template.name.text
             );
-            let place = if variable.kind == DeclarationKind::Input {
-                "%IX0.0"
-            } else {
-                "%QX0.0"
+            let name = &variable.name;
+            let help = match variable.example_of_address() {
+                Some(address) => format!("write `{name} at {address}` or `{name} = ..`"),
+                None => format!("write `{name} = ..`"),
             };
             let diagnostic = Diagnostic::new(Rule::TemplateBinding, instance.name.span, message)
                 .label(variable.span, "declared here")
-                .help(format!(
-                    "write `{0} at {place}` or `{0} = ..`",
-                    variable.name
-                ));
+                .help(help);
             self.report(diagnostic);
         }
     }

@@ -7,14 +7,22 @@ use grafcet_compiler::{MOST_REPORTED, Target, compile};
 
 use crate::tables;
 
+/// The limits that a text is beyond; there is one at least.
 fn refused(text: &str) -> Vec<String> {
+    let said = refused_if_at_all(text);
+    assert!(!said.is_empty(), "nothing is beyond a limit");
+    said
+}
+
+/// The limits that a text is beyond.
+fn refused_if_at_all(text: &str) -> Vec<String> {
     let compilation = compile(
         "large.grafcet",
         text,
         &|path| panic!("{path}"),
         Target::Host,
     );
-    assert!(compilation.application.is_none());
+    assert_eq!(compilation.application.is_none(), compilation.has_errors());
     let errors = compilation
         .diagnostics
         .into_iter()
@@ -72,45 +80,101 @@ fn a_hundred_deep_expression_compiles() {
     assert!(tables.ops.len() > 400);
 }
 
+/// A part again and again, numbered.
+fn so_many(count: usize, part: impl Fn(usize) -> String) -> String {
+    (0..count).map(part).collect()
+}
+
+/// The largest count of something that compiles, and the next one, which is refused with the limit.
+fn up_to(most: usize, program: impl Fn(usize) -> String, limit: &str) {
+    assert_eq!(refused_if_at_all(&program(most)), Vec::<String>::new());
+    let said = refused(&program(most + 1));
+    assert_eq!(said.len(), 1, "{said:?}");
+    assert!(said[0].contains(limit), "{said:?}");
+}
+
 #[test]
-fn too_many_booleans_are_refused_with_the_limit() {
-    let names: Vec<String> = (0..66_000).map(|index| format!("v{index}")).collect();
-    let text = format!(
-        "input a\nvar {}\ngraph G {{ initial step 1 {{ v0 = a }} }}",
-        names.join(", ")
-    );
-    let said = refused(&text);
-    assert_eq!(said.len(), 1);
-    assert!(
-        said[0].contains("at most 65535 Booleans") && said[0].contains("needs 66"),
-        "{said:?}"
+fn booleans_have_a_limit() {
+    // One word is the system's, one the situation's, and the next after these would be the 65 536th.
+    let most = 65_535 / 32 * 32 - 64;
+    let program = |count| {
+        let names = so_many(count, |n| format!("var v{n}\n"));
+        format!("{names}graph G {{ initial step 1 {{ v0 = TRUE }} }}")
+    };
+    up_to(most, program, "at most 65535 Booleans");
+}
+
+#[test]
+fn numbers_have_a_limit() {
+    // Two are the system's.
+    let program = |count| {
+        let names = so_many(count, |n| format!("var v{n} : int\n"));
+        format!("{names}graph G {{ initial step 1 {{ v0 = 1 }} }}")
+    };
+    up_to(
+        65_533,
+        program,
+        "at most 65535 numbers; this one needs 65536",
     );
 }
 
 #[test]
-fn too_many_transitions_are_refused_with_the_limit() {
-    let mut text = "input a\ngraph G {\ninitial step 1\n".to_owned();
-    for number in 0..65_536 {
-        let _ = writeln!(text, "transition {number}: 1 -> 1 when a");
+fn transitions_have_a_limit() {
+    let program = |count| {
+        let all = so_many(count, |n| format!("transition {n}: -> 1 when a\n"));
+        format!("input a\ngraph G {{ initial step 1\n{all} }}")
+    };
+    let transitions = "at most 65535 transitions; this one needs 65536";
+    assert_eq!(refused_if_at_all(&program(65_535)), Vec::<String>::new());
+    let said = refused(&program(65_536));
+    assert!(said.iter().any(|it| it.contains(transitions)), "{said:?}");
+}
+
+#[test]
+fn graphs_have_a_limit() {
+    let program = |count| so_many(count, |n| format!("graph G{n} {{}}\n"));
+    up_to(
+        65_535,
+        program,
+        "at most 65535 graphs; this one needs 65536",
+    );
+}
+
+#[test]
+fn statements_of_each_kind_have_a_limit() {
+    let program = |statement: &str, count| {
+        let all = so_many(count, |_| format!("{statement}\n"));
+        format!(
+            "input a\noutput M\nvar n : int\n\
+             graph G {{ initial step 1 {{ {all} }} }}\ngraph H {{ initial step 1 }}"
+        )
+    };
+    for (statement, what) in [
+        ("n = n + 1", "stored statements"),
+        ("F/H:{1} IF a", "forcing statements"),
+    ] {
+        let limit = format!("at most 65535 {what}; this one needs 65536");
+        up_to(65_535, |count| program(statement, count), &limit);
     }
-    let said = refused(&(text + "}"));
-    assert!(
-        said.iter()
-            .any(|it| it.contains("at most 65535 transitions; this one needs 65536")),
-        "{said:?}"
+    // A momentary statement has a row for itself and one for each variable.
+    assert_eq!(
+        refused_if_at_all(&program("M", 65_535)),
+        Vec::<String>::new()
     );
+    let said = refused(&program("M", 65_536));
+    let momentary = "at most 65535 momentary statements; this one needs 65536";
+    assert!(said.iter().any(|it| it.contains(momentary)), "{said:?}");
 }
 
 #[test]
-fn too_long_an_expression_is_refused_with_the_limit() {
-    let long = vec!["(a OR NOT b)"; 20_000].join(" AND ");
-    let said = refused(&format!(
-        "input a, b\ngraph G {{ initial step 1; transition 1: 1 -> 1 when {long} }}"
-    ));
-    assert_eq!(
-        said,
-        ["an expression becomes at most 65535 operations; this one needs 99999"]
-    );
+fn an_expression_has_a_limit() {
+    let program = |operands: usize| {
+        let chain = vec!["a"; operands].join(" XOR ");
+        format!("input a\ngraph G {{ initial step 1; transition 1: 1 -> 1 when {chain} }}")
+    };
+    // An operation for each operand and each operator.
+    let limit = "an expression becomes at most 65535 operations; this one needs 65537";
+    up_to(32_768, program, limit);
 }
 
 #[test]
