@@ -69,17 +69,23 @@ build_image() {
     IMAGE="$BUILD_DIR/$TARGET/release/plc"
 }
 
-# Builds the images of the applications that only tests use, each as $IMAGES/NAME: those of tests/emulated/applications,
-# and the random ones, which a test of the reference writes to $RANDOM_PROGRAMS.
+# Builds the images of the applications that tests use, each as $IMAGES/NAME: those of tests/emulated/applications, the
+# random ones, which a test of the reference writes to $RANDOM_PROGRAMS, and the mixing tank, whose soft PLC lies beside the
+# switcher's.
 build_test_images() {
     IMAGES="$BUILD_DIR/test-images"
     RANDOM_PROGRAMS="$BUILD_DIR/tmp/applications"
     mkdir -p "$IMAGES"
     cargo test --locked --quiet --package grafcet-reference --test differential board::
     local wiring
-    for wiring in tests/emulated/applications/*/plc.toml "$RANDOM_PROGRAMS"/*/plc.toml; do
+    local tank=graphs/examples/mixing_tank/plc.toml
+    for wiring in tests/emulated/applications/*/plc.toml "$RANDOM_PROGRAMS"/*/plc.toml "$tank"; do
         # Quietly: what a program that has to show everything is warned of is no news.
         PLC=$wiring build_image --quiet
         cp "$IMAGE" "$IMAGES/$(basename "$(dirname "$wiring")")"
     done
+    PLC=$tank cargo build --locked --quiet --package plc
+    cp "$BUILD_DIR/debug/plc" "$BUILD_DIR/debug/plc-mixing_tank"
+    # The last one stays where the other scripts look for it.
+    cargo build --locked --quiet --package plc
 }

@@ -210,7 +210,7 @@ export class Pico {
   }
 
   /**
-   * What the ADC reads.
+   * What the ADC reads from now on, across resets and power cycles; 0 until it is set.
    * @param {number} channel 0 to 3 for GPIO 26 to 29, 4 for the temperature sensor
    * @param {number} value 0 to 4095
    */

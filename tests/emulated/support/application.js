@@ -15,8 +15,9 @@ const grafcet = (...args) =>
  * @typedef {object} Input
  * @property {string} name
  * @property {number} pin
- * @property {boolean} activeLow
  * @property {number} filterMs
+ * @property {boolean} [activeLow] of a Boolean input
+ * @property {{low: number, high: number}} [scale] of a numeric one: its values at both ends of the converter
  */
 
 export class Application {
@@ -28,6 +29,11 @@ export class Application {
   /** One of the programs in `tests/emulated/applications`. */
   static named(name) {
     return new Application(`tests/emulated/applications/${name}/plc.toml`, join(PLC_IMAGES, name));
+  }
+
+  /** The mixing tank of the examples. */
+  static mixingTank() {
+    return new Application('graphs/examples/mixing_tank/plc.toml', join(PLC_IMAGES, 'mixing_tank'));
   }
 
   /** The random programs, which `reference/tests/differential/board.rs` writes. */
@@ -64,14 +70,20 @@ export class Application {
   }
 }
 
+/** A word without a scale is what the converter reads. */
+const RAW = { low: 0, high: 4095 };
+
 /** The inputs in the order of `plc.toml`, of which this reads what the applications here make use of. */
 function wiredInputs(wiring, variables) {
   const names = new Map(Object.entries(variables).map(([name, { address }]) => [address, name]));
   const lines = wiring.matchAll(/^"(%I[^"]+)" = (.*)$/gm);
+  const end = (key, value) => Number(new RegExp(`${key} = (-?\\d+)`).exec(value)?.[1] ?? RAW[key]);
   return Array.from(lines, ([, address, value]) => ({
     name: names.get(address),
     pin: Number(/"GP(\d+)"/.exec(value)[1]),
-    activeLow: /active = "low"/.test(value),
     filterMs: Number(/filter = "(\d+) ms"/.exec(value)?.[1] ?? 0),
+    ...(address.startsWith('%IW')
+      ? { scale: { low: end('low', value), high: end('high', value) } }
+      : { activeLow: /active = "low"/.test(value) }),
   }));
 }

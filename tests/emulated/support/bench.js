@@ -4,6 +4,8 @@ import assert from 'node:assert/strict';
 
 import { Pico } from '../../../emulator/src/index.js';
 
+/** Channel 0 of the converter is at this pin. */
+const FIRST_ANALOGUE_PIN = 26;
 /** From power to scan 0 at most, and from one scan to the next. */
 const LONGEST_WAIT_MS = 1000;
 
@@ -27,11 +29,12 @@ export class Bench {
     return this.pico.read32('PLC_SCANS');
   }
 
-  /** Wires these values to the pins, in the order of the application's inputs. */
+  /** Wires these levels and readings to the pins, in the order of the application's inputs. */
   connect(values) {
-    this.#application.inputs.forEach(({ pin, activeLow }, i) =>
-      this.pico.setInput(pin, activeLow ? 1 - values[i] : values[i]),
-    );
+    this.#application.inputs.forEach(({ pin, activeLow, scale }, i) => {
+      if (scale) this.pico.setAnalog(pin - FIRST_ANALOGUE_PIN, values[i]);
+      else this.pico.setInput(pin, activeLow ? 1 - values[i] : values[i]);
+    });
   }
 
   /** Runs to the end of the next scan. */
