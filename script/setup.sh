@@ -22,12 +22,14 @@ setup_host() {
     need cargo 'install Rust from https://rustup.rs'
 }
 
+# Of the Pico, or another one.
 setup_target() {
+    local target=${1:-$TARGET}
     setup_host
     need rustup 'install Rust from https://rustup.rs, which brings rustup'
-    if ! rustup target list --installed | grep -qx "$TARGET"; then
-        say "adding the Rust target $TARGET"
-        rustup target add "$TARGET"
+    if ! rustup target list --installed | grep -qx "$target"; then
+        say "adding the Rust target $target"
+        rustup target add "$target"
     fi
 }
 
@@ -67,6 +69,28 @@ build_image() {
     cargo build --locked --release --target "$TARGET" --package plc --bin plc \
         --config "target.$TARGET.rustflags=[\"--remap-path-prefix=$registry=registry\"]" "$@"
     IMAGE="$BUILD_DIR/$TARGET/release/plc"
+}
+
+# build_bench_image PROGRAM CPU OUT: the program and the engine, bare, for counting instructions. Paths are absolute.
+build_bench_image() {
+    local program=$1 cpu=$2 out=$3 target=$TARGET log
+    # Floating point in registers would be of no use: there is none in the engine.
+    if [ "$cpu" = m4 ]; then target=thumbv7em-none-eabi; fi
+    setup_target "$target"
+    log=$(mktemp)
+    if ! BENCH_PROGRAM=$program cargo build --locked --quiet --profile bench-image --target "$target" \
+        --package bench-image 2>"$log"; then
+        # Of a wrong program only what the compiler says of it, which cargo indents.
+        if grep -q '^ *--- stderr' "$log"; then
+            sed '1,/^ *--- stderr/d; s/^  //' "$log" >&2
+        else
+            cat "$log" >&2
+        fi
+        rm "$log"
+        return 1
+    fi
+    rm "$log"
+    cp "$BUILD_DIR/$target/bench-image/bench-image" "$out"
 }
 
 # Builds the images of the applications that tests use, each as $IMAGES/NAME: those of tests/emulated/applications, the

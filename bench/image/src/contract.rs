@@ -1,68 +1,59 @@
-//! The contract: `bench_init` and `scan_once`, `bench_in`, `bench_out` and `bench_now_ms`.
+//! The contract with whatever counts instructions: the functions `bench_init` and `scan_once`, and the words
+//! `bench_in`, `bench_out` and `bench_now_ms`. Nothing is done before `bench_init` but clearing `.bss`.
 
 use core::mem::MaybeUninit;
 use core::ptr::{addr_of, addr_of_mut};
 
-use grafcet_core::engine::Engine;
+use super::program::{Storage, ThisProgram};
+use super::{Controller, outputs};
 
-mod program {
-    #![allow(unused)]
-    include!(concat!(env!("OUT_DIR"), "/program.rs"));
-}
-use program::{INPUTS, OUTPUTS, Storage, ThisProgram};
-
-/// The first 32 Boolean inputs, in declaration order from bit 0.
+/// The first 32 Boolean inputs, in declaration order from bit 0. The inputs behind them, and all numbers, stay 0.
 #[unsafe(no_mangle)]
 pub static mut bench_in: u32 = 0;
-/// The first 32 Boolean outputs.
+/// The first 32 Boolean outputs, likewise.
 #[unsafe(no_mangle)]
 pub static mut bench_out: u32 = 0;
 /// The time of the scan in ms.
 #[unsafe(no_mangle)]
 pub static mut bench_now_ms: u32 = 0;
 
-type Controller = Engine<ThisProgram, Storage>;
 static mut ENGINE: MaybeUninit<Controller> = MaybeUninit::uninit();
 
 /// Scan 0.
 #[unsafe(no_mangle)]
 pub extern "C" fn bench_init() {
-    unsafe {
-        let engine = (*addr_of_mut!(ENGINE)).write(Engine::new(ThisProgram, Storage::new()));
-        sample(engine);
-        engine.start();
+    // SAFETY: one thread without interrupts calls the two functions here, one after the other, so nobody else holds a
+    // reference to the engine.
+    let engine = unsafe { &mut *addr_of_mut!(ENGINE) };
+    let engine = engine.write(Controller::new(ThisProgram, Storage::new()));
+    engine.set_inputs(0, read(addr_of!(bench_in)));
+    engine.start();
+    write(engine);
+}
+
+/// A later scan, to be called after `bench_init` only.
+#[unsafe(no_mangle)]
+pub extern "C" fn scan_once() {
+    // SAFETY: as above; `bench_init` has written the engine.
+    let engine = unsafe { (*addr_of_mut!(ENGINE)).assume_init_mut() };
+    engine.set_inputs(0, read(addr_of!(bench_in)));
+    // An idle scan leaves the outputs as they are.
+    if engine.scan(u64::from(read(addr_of!(bench_now_ms)))) {
         write(engine);
     }
 }
 
-/// One later scan.
-#[unsafe(no_mangle)]
-pub extern "C" fn scan_once() {
-    unsafe {
-        let engine = (*addr_of_mut!(ENGINE)).assume_init_mut();
-        #[cfg(feature = "panicking")]
-        addr_of_mut!(bench_out).write_volatile(OUTPUTS[bench_in as usize].0.into());
-        engine.set_inputs(0, addr_of!(bench_in).read_volatile());
-        if engine.scan(u64::from(addr_of!(bench_now_ms).read_volatile())) {
-            write(engine);
-        }
-    }
-}
-
-unsafe fn sample(engine: &mut Controller) {
-    let word = unsafe { addr_of!(bench_in).read_volatile() };
-    for (place, bit) in INPUTS.iter().enumerate() {
-        engine.set_input(*bit, word & (1 << place) != 0);
-    }
+#[inline(always)]
+fn read(word: *const u32) -> u32 {
+    // SAFETY: it is one of the words above, which the outside writes between two calls only. Volatile, since the
+    // compiler does not see it written.
+    unsafe { word.read_volatile() }
 }
 
 #[inline(never)]
-unsafe fn write(engine: &Controller) {
-    let mut word = 0;
-    for (place, bit) in OUTPUTS.iter().enumerate() {
-        word |= u32::from(engine.bit(*bit)) << place;
-    }
-    unsafe { addr_of_mut!(bench_out).write_volatile(word) };
+fn write(engine: &Controller) {
+    // SAFETY: as for `read`.
+    unsafe { addr_of_mut!(bench_out).write_volatile(outputs(engine)) };
 }
 
 #[panic_handler]
