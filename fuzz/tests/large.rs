@@ -5,7 +5,9 @@
 use std::alloc::System;
 use std::process::ExitCode;
 
+use grafcet_compiler::format::{Unformatted, format};
 use grafcet_compiler::render::{Style, render, render_json};
+use grafcet_compiler::source::FileId;
 use grafcet_compiler::{Compilation, MOST_REPORTED, Target, compile};
 use grafcet_fuzz::large::{Shape, shapes};
 use libtest_mimic::{Arguments, Failed, Trial};
@@ -48,12 +50,14 @@ fn grows_with_its_size(shape: &'static Shape) -> Result<(), Failed> {
     Ok(())
 }
 
-/// Compiles a text, and tells how much memory that asked for in bytes.
+/// Compiles a text and lays it out, and tells how much memory that asked for in bytes.
 fn compiled(text: &str) -> (Compilation, usize) {
     let region = Region::new(ALLOCATOR);
     let none = |_: &str| Err(std::io::ErrorKind::NotFound.into());
     let compilation = compile("large.grafcet", text, &none, Target::Host);
+    let layout = format(FileId(0), text);
     let asked_for = region.change().bytes_allocated;
+    assert!(!matches!(layout, Err(Unformatted::Otherwise)));
     assert!(compilation.diagnostics.len() <= 2 * (MOST_REPORTED + 1));
     assert_eq!(compilation.application.is_none(), compilation.has_errors());
     (compilation, asked_for)

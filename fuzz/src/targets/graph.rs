@@ -6,7 +6,9 @@ use grafcet::machine::Bench;
 use grafcet::simulation::Simulation;
 use grafcet_compiler::application::{Application, Place};
 use grafcet_compiler::ast::{DeclarationKind, Type};
+use grafcet_compiler::format::{Unformatted, format};
 use grafcet_compiler::render::{Style, render, render_json};
+use grafcet_compiler::source::FileId;
 use grafcet_compiler::{Compilation, Target, compile};
 
 use crate::corpus;
@@ -31,6 +33,7 @@ pub(crate) fn run(input: &[u8]) {
     let Ok(input) = str::from_utf8(input) else {
         return;
     };
+    laid_out(input);
     let (main, libraries) = input.split_once(LIBRARY).unwrap_or((input, ""));
     for target in [Target::Host, Target::Firmware] {
         let load = |path: &str| library(libraries, path);
@@ -60,6 +63,18 @@ fn library(libraries: &str, path: &str) -> io::Result<String> {
         (name.trim() == path).then(|| text.to_owned())
     });
     text.ok_or_else(|| io::ErrorKind::NotFound.into())
+}
+
+/// A text that fits the grammar has one layout, which is its own.
+fn laid_out(text: &str) {
+    match format(FileId(0), text) {
+        Ok(laid_out) => match format(FileId(0), &laid_out) {
+            Ok(again) => assert_eq!(again, laid_out, "another layout"),
+            Err(error) => panic!("the layout of a program is refused: {error:?}\n{laid_out}"),
+        },
+        Err(Unformatted::Wrong(diagnostics)) => assert!(!diagnostics.is_empty()),
+        Err(Unformatted::Otherwise) => panic!("the layout says something else"),
+    }
 }
 
 /// What users see fits what there is to say.
