@@ -12,7 +12,7 @@ use crate::source::Span;
 pub const MAX_BOUND_DEPTH: u32 = 384;
 
 /// How many names and operators all that stands for interface names may come to in one application.
-pub const MAX_BOUND_SIZE: usize = 1_000_000;
+pub const MAX_BOUND_SIZE: usize = 500_000;
 
 /// How large an expression is.
 #[derive(Clone, Copy)]
