@@ -50,6 +50,22 @@ setup_emulator() {
     fi
 }
 
+# What counts instructions: $PYTHON has an emulated processor.
+setup_counter() {
+    need python3 'install Python 3.10 or newer (Debian: apt install python3 python3-venv)'
+    PYTHON=.tools/counter/bin/python
+    cmp -s bench/requirements.txt .tools/counter/.installed-requirements && return
+    say 'installing the emulated processor (unicorn) into .tools/counter'
+    if ! python3 -c 'import sys, venv, ensurepip; sys.exit(sys.version_info < (3, 10))' 2>/dev/null; then
+        printf 'error: python3 is older than 3.10, or has no venv\nhelp: %s\n' \
+            'install Python 3.10 or newer with its venv (Debian: apt install python3-venv)' >&2
+        exit 2
+    fi
+    python3 -m venv --clear .tools/counter
+    "$PYTHON" -m pip install --quiet --disable-pip-version-check --requirement bench/requirements.txt
+    cp bench/requirements.txt .tools/counter/.installed-requirements
+}
+
 # What makes of the image a file for the Pico's drive; without its serial monitor, which wants a system library.
 setup_uf2() {
     setup_host

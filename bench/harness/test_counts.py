@@ -1,0 +1,51 @@
+"""What the comparison with the checked-in counts and the reading of code promise."""
+
+import unittest
+from dataclasses import replace
+
+from counts import Counts, compare, to_text
+from cortex_m import instructions
+
+BEFORE = Counts(20, 90, 100, 120, 130, 200, 2000, 3000, 128)
+
+
+def compared(**changes):
+    """The answer for counts that have changed since they were checked in."""
+    kept = to_text({("saw", "m4"): BEFORE})
+    return compare(kept, {("saw", "m4"): replace(BEFORE, **changes)})
+
+
+class Comparison(unittest.TestCase):
+    """script/bench --check."""
+
+    def test_equal_counts_pass(self):
+        self.assertEqual(compared(), ([], []))
+
+    def test_five_percent_more_pass(self):
+        self.assertEqual(compared(steady=105), ([], []))
+
+    def test_more_than_five_percent_is_wrong(self):
+        self.assertEqual(compared(steady=106), (["saw m4 steady: 100 -> 106"], []))
+
+    def test_fewer_instructions_are_told_and_pass(self):
+        self.assertEqual(compared(steady=94), ([], ["saw m4 steady: 100 -> 94"]))
+
+    def test_a_program_without_checked_in_counts_is_wrong(self):
+        wrong, _ = compare("", {("saw", "m4"): BEFORE})
+        self.assertIn("saw m4 idle: not in the counts file", wrong)
+
+    def test_a_program_that_is_no_longer_counted_is_wrong(self):
+        wrong, _ = compare(to_text({("saw", "m4"): BEFORE}), {})
+        self.assertIn("saw m4 idle: in the counts file, and not counted", wrong)
+
+
+class Code(unittest.TestCase):
+    """Counting instructions."""
+
+    def test_short_and_long_instructions_count_one_each(self):
+        # movs r0, #1; bl .+4; bx lr
+        self.assertEqual(instructions(bytes.fromhex("0120 00f000f8 7047")), 3)
+
+
+if __name__ == "__main__":
+    unittest.main()
