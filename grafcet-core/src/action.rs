@@ -1,6 +1,6 @@
 //! Events and actions (`semantics.md`, phases 5 to 7).
 
-use crate::bits::clear;
+use crate::bits::{clear, set_bits_of};
 use crate::engine::Engine;
 use crate::memory::Memory;
 use crate::program::{Assignment, Compiled, Dependent, Duties, Momentary, Run, Stored};
@@ -90,11 +90,9 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
         self.run_momentary_rows(program.always_momentary);
         let first = usize::from(program.layout.situations.start);
         for (place, block) in program.blocks.iter().enumerate() {
-            let mut steps = self.memory.word(first + place) & block.momentary;
-            while steps != 0 {
-                let step = usize::from(block.first) + steps.trailing_zeros() as usize;
-                steps &= steps - 1;
-                if let Some(step) = program.steps.get(step) {
+            let steps = self.memory.word(first + place) & block.momentary;
+            for bit in set_bits_of(steps) {
+                if let Some(step) = program.steps.get(usize::from(block.first) + bit) {
                     self.run_momentary_rows(step.momentary);
                 }
             }
@@ -170,16 +168,14 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
         for (place, block) in program.blocks.iter().enumerate() {
             let now = self.memory.word(first + place);
             let before = self.memory.store.before().get(place).copied().unwrap_or(0);
-            let mut steps = match which {
+            let steps = match which {
                 Steps::Active => now,
                 Steps::Before => before,
                 Steps::Activated => now & !before,
                 Steps::Deactivated => before & !now,
             } & block.duties;
-            while steps != 0 {
-                let step = usize::from(block.first) + steps.trailing_zeros() as usize;
-                steps &= steps - 1;
-                let step = program.steps.get(step);
+            for bit in set_bits_of(steps) {
+                let step = program.steps.get(usize::from(block.first) + bit);
                 if let Some(duties) = step.and_then(|step| program.duties_of(step)) {
                     visit(self, duties);
                 }

@@ -1,5 +1,6 @@
 //! Triggers and firing (`semantics.md`, phases 2 and 3; IEC 60848 rules 2 to 5).
 
+use crate::bits::set_bits_of;
 use crate::engine::Engine;
 use crate::memory::Memory;
 use crate::program::{Compiled, Crossing, Run, Transition};
@@ -15,11 +16,8 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
         for (place, block) in program.blocks.iter().enumerate() {
             let now = self.memory.word(first + place);
             let mut marked = Marked::default();
-            let mut steps = now;
-            while steps != 0 {
-                let step = usize::from(block.first) + steps.trailing_zeros() as usize;
-                steps &= steps - 1;
-                if let Some(step) = program.steps.get(step) {
+            for bit in set_bits_of(now) {
+                if let Some(step) = program.steps.get(usize::from(block.first) + bit) {
                     self.mark_run(step.arms, &mut marked);
                 }
             }
@@ -45,7 +43,10 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
             let mut marked = Marked::default();
             self.mark_run(graph.sources, &mut marked);
             any |= marked.any;
-            let place = graph.words.start - program.layout.situations.start.min(graph.words.start);
+            let place = graph
+                .words
+                .start
+                .saturating_sub(program.layout.situations.start);
             let word = self.memory.store.before_mut().get_mut(usize::from(place));
             if let Some(word) = word {
                 *word |= marked.enters;
@@ -113,8 +114,9 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
                 return;
             };
             for step in side(entrance, exit).of(program.links) {
-                let place =
-                    step.word() - usize::from(program.layout.situations.start).min(step.word());
+                let place = step
+                    .word()
+                    .saturating_sub(usize::from(program.layout.situations.start));
                 if let Some(word) = engine.memory.store.before_mut().get_mut(place) {
                     *word = change(*word, step.mask());
                 }
@@ -127,11 +129,9 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
         let tables = self.tables;
         let program = tables.program();
         for word in 0..self.memory.store.fired().len() {
-            let mut marks = self.memory.store.fired().get(word).copied().unwrap_or(0);
-            while marks != 0 {
-                let row = word * 32 + marks.trailing_zeros() as usize;
-                marks &= marks - 1;
-                if let Some(transition) = program.transitions.get(row) {
+            let marks = self.memory.store.fired().get(word).copied().unwrap_or(0);
+            for bit in set_bits_of(marks) {
+                if let Some(transition) = program.transitions.get(word * 32 + bit) {
                     visit(self, transition);
                 }
             }

@@ -11,7 +11,7 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
     }
 
     /// Whether all terms hold now.
-    pub(crate) fn terms_hold(&self, terms: Run) -> bool {
+    fn terms_hold(&self, terms: Run) -> bool {
         let tables = self.tables;
         let program = tables.program();
         let image: &[u32] = self.memory.store.image();
@@ -22,7 +22,7 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
     }
 
     /// Whether what a condition asks for beside its terms holds now.
-    pub(crate) fn rest_holds(&mut self, rest: Rest) -> bool {
+    fn rest_holds(&mut self, rest: Rest) -> bool {
         let tables = self.tables;
         let program = tables.program();
         match rest {

@@ -170,7 +170,7 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
             return;
         }
         let first = graph.words.start;
-        let offset = usize::from(first - program.layout.situations.start.min(first));
+        let offset = usize::from(first.saturating_sub(program.layout.situations.start));
         for (index, word) in graph.words.indices().enumerate() {
             let steps = self
                 .memory

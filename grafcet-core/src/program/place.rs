@@ -68,19 +68,16 @@ impl Run {
     /// The rows of the run; none when the run leaves the table, which a checked table never does.
     #[must_use]
     pub fn of<T>(self, table: &[T]) -> &[T] {
-        let start = self.start as usize;
-        table.get(start..start + self.len as usize).unwrap_or(&[])
+        self.some(table).unwrap_or(&[])
     }
 
     /// The rows of the run, if there are any.
     #[inline]
     pub(crate) fn some<T>(self, table: &[T]) -> Option<&[T]> {
-        let start = self.start as usize;
-        let end = start + self.len as usize;
         if self.len == 0 {
             None
         } else {
-            table.get(start..end)
+            table.get(self.indices())
         }
     }
 
