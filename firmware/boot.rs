@@ -8,6 +8,7 @@ use grafcet_core::program::{Compiled, Names};
 use crate::log::{fault, note};
 use crate::record::Record;
 use crate::retain::{Error, Store};
+use crate::vitals::Task;
 
 /// Why the controller starts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -22,8 +23,10 @@ pub enum Cause {
     Debugger,
     /// The boot ROM, after a new image was flashed by it.
     Reboot,
-    /// Scans failed to come.
-    Watchdog,
+    /// A task hung, and with it the controller, or it was stopped for that.
+    Watchdog(Task),
+    /// Scans took too long too often, and the policy is to start again.
+    Overload,
     /// The program's image ended in a panic or a fault of the processor.
     Panic,
 }
@@ -32,7 +35,10 @@ impl Cause {
     /// What `System:recovered` says.
     #[must_use]
     pub const fn is_recovery(self) -> bool {
-        matches!(self, Cause::BrownOut | Cause::Watchdog | Cause::Panic)
+        matches!(
+            self,
+            Cause::BrownOut | Cause::Watchdog(_) | Cause::Overload | Cause::Panic
+        )
     }
 
     /// The cause in words, for the boot line.
@@ -44,7 +50,10 @@ impl Cause {
             Cause::RunPin => "run pin",
             Cause::Debugger => "debugger",
             Cause::Reboot => "reboot",
-            Cause::Watchdog => "watchdog",
+            Cause::Watchdog(Task::Start) => "watchdog: start hung",
+            Cause::Watchdog(Task::Scan) => "watchdog: scan hung",
+            Cause::Watchdog(Task::Store) => "watchdog: retain store hung",
+            Cause::Overload => "overload",
             Cause::Panic => "panic",
         }
     }
@@ -58,6 +67,8 @@ pub struct Evidence {
     pub by_watchdog: bool,
     /// What the image that ran before left.
     pub mark: Mark,
+    /// Of that image, the task that had the processor, as far as it is known.
+    pub suspect: Task,
     /// The last reset of the whole chip came from the debug port.
     pub by_debug_port: bool,
     /// The last reset of the whole chip came from the reset pin.
@@ -75,6 +86,29 @@ pub enum Mark {
     Running,
     /// It panicked.
     Panicked,
+    /// It was stopped for overload.
+    Overloaded,
+}
+
+impl Mark {
+    /// The mark as the word that is left.
+    #[must_use]
+    pub const fn word(self) -> u32 {
+        match self {
+            Mark::None => 0,
+            Mark::Running => 0x706c_6331,
+            Mark::Panicked => 0x706c_6321,
+            Mark::Overloaded => 0x706c_6341,
+        }
+    }
+
+    /// The mark in a word that was left, if it is one.
+    #[must_use]
+    pub fn read(word: u32) -> Mark {
+        let marks = [Mark::Running, Mark::Panicked, Mark::Overloaded];
+        let found = marks.into_iter().find(|mark| mark.word() == word);
+        found.unwrap_or(Mark::None)
+    }
 }
 
 impl Evidence {
@@ -83,11 +117,12 @@ impl Evidence {
     pub const fn cause(self) -> Cause {
         match (self.by_watchdog, self.mark) {
             (true, Mark::Panicked) => Cause::Panic,
-            (true, Mark::Running) => Cause::Watchdog,
+            (true, Mark::Overloaded) => Cause::Overload,
+            (true, Mark::Running) => Cause::Watchdog(self.suspect),
             // The boot ROM uses the watchdog to leave for a new image; it knows no mark of ours.
             (true, Mark::None) => Cause::Reboot,
             // Only the processor was reset.
-            (false, Mark::Running | Mark::Panicked) => Cause::Debugger,
+            (false, Mark::Running | Mark::Panicked | Mark::Overloaded) => Cause::Debugger,
             (false, Mark::None) if self.by_debug_port => Cause::Debugger,
             (false, Mark::None) if self.by_run_pin => Cause::RunPin,
             (false, Mark::None) if self.memory_kept => Cause::BrownOut,

@@ -8,6 +8,7 @@
 //! - [`input`] and [`filter`], [`output`]: pins to images and back, with filters, active levels and safe states;
 //! - [`analogue`] and [`scale`]: voltages to numbers;
 //! - [`retain`] and [`record`]: retained values in flash, and [`store`]: the task that puts them there;
+//! - [`vitals`]: who is alive, and who hung;
 //! - [`log`]: what it says about itself;
 //! - [`wiring`]: what hangs on which pin;
 //! - [`boards`]: the Pico and the host.
@@ -37,7 +38,7 @@ pub mod application {
     use crate::boards::host::site::PlantTables;
     #[cfg(not(target_os = "none"))]
     use crate::wiring::Label;
-    use crate::wiring::{AnalogueWire, InputWire, OutputWire};
+    use crate::wiring::{AnalogueWire, InputWire, OutputWire, Overload, Policy};
 
     include!(concat!(env!("OUT_DIR"), "/application.rs"));
 }
@@ -55,4 +56,5 @@ pub mod scale;
 pub mod scan;
 pub mod schedule;
 pub mod store;
+pub mod vitals;
 pub mod wiring;

@@ -1,4 +1,4 @@
-//! Output pins: safe until the program drives them, then what the output image says.
+//! Output pins: safe until the program drives them, then what the output image says, and safe again when it stops.
 
 use embedded_hal::digital::{OutputPin, PinState};
 use grafcet_core::engine::Engine;
@@ -17,8 +17,13 @@ impl<P: OutputPin, const N: usize> Outputs<P, N> {
     /// The pins of the wires, in their order, driven to their safe levels.
     pub fn new(pins: [P; N], wires: &'static [OutputWire; N]) -> Self {
         let mut outputs = Outputs { pins, wires };
-        outputs.drive(|wire| wire.safe);
+        outputs.make_safe();
         outputs
+    }
+
+    /// Drives the pins to their safe levels.
+    pub fn make_safe(&mut self) {
+        self.drive(|wire| wire.safe);
     }
 
     /// Drives the pins with the output image (`semantics.md`, phase 8).

@@ -2,17 +2,20 @@
 
 use embassy_sync::blocking_mutex::raw::CriticalSectionRawMutex;
 use embassy_sync::signal::Signal;
-use embassy_time::{Duration, Instant};
+use embassy_time::{Duration, Instant, Timer};
 use embedded_hal::digital::{InputPin, OutputPin};
 use grafcet_core::engine::Engine;
 use grafcet_core::memory::Memory;
 use grafcet_core::program::Compiled;
 
 use crate::analogue::Converter;
+use crate::boot::Cause;
 use crate::input::Inputs;
 use crate::log::{Observer, fault};
 use crate::output::Outputs;
-use crate::schedule::{Schedule, Served};
+use crate::schedule::{LATEST, Schedule, Served};
+use crate::vitals::{Pulse, Task};
+use crate::wiring::{Overload, Policy};
 
 /// The newest values of everything retained, on their way to the store. A newer snapshot takes the place of one that
 /// has not been fetched, so that the scan never waits for the flash.
@@ -23,8 +26,39 @@ pub trait Board {
     /// How far behind its release a scan may start without being counted as late.
     const LATE_AFTER: Duration;
 
-    /// A scan has been completed, its outputs written and its changes handed on. Nothing else feeds a watchdog.
+    /// A scan begins.
+    fn begin(&mut self) {}
+
+    /// A scan has been completed, its outputs written and its changes handed on, and every task lives. Nothing else
+    /// feeds a watchdog.
     fn complete(&mut self, engine: &Engine<impl Compiled, impl Memory>);
+
+    /// The program has been stopped and will be started again, after [`STANDSTILL`] at most.
+    fn stop(&mut self, _: Stop) {}
+}
+
+/// How long outputs stay safe after an overload, before the controller starts again: time for the store to write what
+/// has changed last, and for a person to see that something is wrong.
+pub const STANDSTILL: Duration = Duration::from_secs(1);
+
+/// Why a program is stopped. Its outputs are at their safe levels then.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Stop {
+    /// Scans took too long too often, and the policy is to stop.
+    Overload,
+    /// A task below the scan has shown no sign of life for too long.
+    Hung(Task),
+}
+
+impl Stop {
+    /// Why the controller starts again behind it.
+    #[must_use]
+    pub const fn cause(self) -> Cause {
+        match self {
+            Stop::Overload => Cause::Overload,
+            Stop::Hung(task) => Cause::Watchdog(task),
+        }
+    }
 }
 
 /// A controller with all that its scan needs.
@@ -51,6 +85,10 @@ pub struct Controller<
     pub board: B,
     /// Where changed retained values go.
     pub changes: &'a Changes<R>,
+    /// The tasks below the scan, each with its sign of life.
+    pub watched: &'a [Pulse],
+    /// When scans take too long too often, and what is done about it.
+    pub overload: Overload,
     /// The log.
     pub observer: Observer,
 }
@@ -65,27 +103,41 @@ where
     O: OutputPin,
     B: Board,
 {
-    /// Runs the program for as long as there is power.
-    pub async fn run(mut self) -> ! {
+    /// Runs the program for as long as there is power, or until it has to be stopped. What is behind that is up to the
+    /// board; it must be a new start.
+    pub async fn run(&mut self) -> Stop {
         let mut retained = snapshot(&self.engine);
         let period_ms = self.engine.program().period_ms;
         let mut schedule = Schedule::new(Instant::now(), period_ms, B::LATE_AFTER);
+        let mut overloaded = false;
+        self.board.begin();
         self.inputs.read(&mut self.engine);
         self.engine.start();
         self.finish(&mut retained);
+        self.board.complete(&self.engine);
         log_missed(schedule.complete(Instant::now()), &schedule);
         loop {
             self.inputs.watch_until(schedule.release()).await;
+            self.board.begin();
             let served = schedule.serve(Instant::now());
             log_served(&served, &schedule);
             self.engine.set_overruns(schedule.faults().overruns);
             self.inputs.read(&mut self.engine);
             if self.engine.scan(served.time_ms) {
                 self.finish(&mut retained);
-            } else {
-                self.board.complete(&self.engine);
             }
+            if let Some(task) = self.hung(period_ms) {
+                self.outputs.make_safe();
+                self.board.stop(Stop::Hung(task));
+                fault!("{} hung: safe stop", task.name());
+                return Stop::Hung(task);
+            }
+            self.board.complete(&self.engine);
             log_missed(schedule.complete(Instant::now()), &schedule);
+            if self.is_overload_to_end(&schedule, &mut overloaded) {
+                Timer::at(Instant::now().saturating_add(STANDSTILL)).await;
+                return Stop::Overload;
+            }
         }
     }
 
@@ -98,7 +150,42 @@ where
             self.changes.signal(values);
         }
         self.observer.observe(&self.engine);
-        self.board.complete(&self.engine);
+    }
+
+    /// Whether an overload begins with this scan that ends the program; the outputs are safe then. One is said once: it
+    /// lasts until [`LATEST`] scans were in time.
+    fn is_overload_to_end(&mut self, schedule: &Schedule, overloaded: &mut bool) -> bool {
+        // Counting takes its time, which nearly every scan can save.
+        if !schedule.overran() && !*overloaded {
+            return false;
+        }
+        let overruns = schedule.recent_overruns();
+        let begins = !*overloaded && overruns >= self.overload.overruns;
+        *overloaded = overruns > 0 && (*overloaded || begins);
+        if !begins {
+            return false;
+        }
+        let (stops, outcome) = match self.overload.policy {
+            Policy::SafeStop => (true, "safe stop"),
+            Policy::KeepRunning => (false, "kept running"),
+        };
+        if stops {
+            self.outputs.make_safe();
+            self.board.stop(Stop::Overload);
+        }
+        fault!(
+            "overload: {} of the latest {} scans overran: {}",
+            overruns,
+            LATEST,
+            outcome
+        );
+        stops
+    }
+
+    /// Another scan has run; a task that has not shown for too long that it lives.
+    fn hung(&self, period_ms: u32) -> Option<Task> {
+        let pulses = self.watched.iter();
+        pulses.fold(None, |hung, pulse| pulse.count(period_ms).or(hung))
     }
 }
 

@@ -15,7 +15,12 @@ pub struct Schedule {
     release: Instant,
     time_ms: u64,
     faults: Faults,
+    /// One bit for each of the latest scans, the newest lowest: it overran, or began too late for its release.
+    recent: u128,
 }
+
+/// Of so many scans, the latest ones, overruns are added up to tell an overload.
+pub const LATEST: u32 = 100;
 
 /// What went wrong with the times of the scans since scan 0. Counts stay at their end when they reach it.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -52,6 +57,7 @@ impl Schedule {
             release: start.saturating_add(period),
             time_ms: u64::from(period_ms),
             faults: Faults::default(),
+            recent: 0,
         }
     }
 
@@ -67,8 +73,21 @@ impl Schedule {
         self.faults
     }
 
+    /// Whether the latest scan overran, or began so late that releases had passed.
+    #[must_use]
+    pub fn overran(&self) -> bool {
+        self.recent & 1 != 0
+    }
+
+    /// How many of the [`LATEST`] scans did so.
+    #[must_use]
+    pub fn recent_overruns(&self) -> u32 {
+        self.recent.count_ones()
+    }
+
     /// A scan starts at `now`, not before [`Schedule::release`]: it serves the latest release that is due.
     pub fn serve(&mut self, now: Instant) -> Served {
+        self.recent = self.recent << 1 & (u128::MAX >> (u128::BITS - LATEST));
         let missed = self.periods(now.saturating_duration_since(self.release));
         self.skip(missed);
         let behind = now.saturating_duration_since(self.release);
@@ -108,6 +127,7 @@ impl Schedule {
     fn skip(&mut self, releases: u64) {
         if releases > 0 {
             self.faults.overruns = self.faults.overruns.saturating_add(1);
+            self.recent |= 1;
             self.advance(releases);
         }
     }

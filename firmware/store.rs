@@ -8,9 +8,17 @@ use crate::boot::log_error;
 use crate::record::Values;
 use crate::retain::Store;
 use crate::scan::Changes;
+use crate::vitals::Pulse;
 
 /// How long to wait before a failed write is tried again.
 const RETRY_AFTER: Duration = Duration::from_secs(1);
+
+/// How often the task shows at least that it lives, when it has nothing to do.
+const BEAT: Duration = Duration::from_millis(250);
+
+/// The task is hung when scans have run for so many ms without a sign of life of it. In a write it shows itself at each
+/// operation of the flash. Under a program that leaves a hundredth of the processor these are 20 ms of its own time.
+pub const SILENCE_MS: u32 = 2_000;
 
 /// Stores retained values whenever they differ from those stored last, which are `stored` at first.
 pub async fn keep<F: NorFlash, const R: usize>(
@@ -18,18 +26,20 @@ pub async fn keep<F: NorFlash, const R: usize>(
     program: &Program<'_>,
     changes: &Changes<R>,
     mut stored: [i32; R],
+    pulse: &Pulse,
 ) -> ! {
     let mut failed = None;
     loop {
         let values = match failed {
-            None => changes.wait().await,
-            // Only the wait may be cut short, never a write.
+            None => wait(changes, Instant::MAX, pulse).await,
             Some(values) => {
                 let deadline = Instant::now().saturating_add(RETRY_AFTER);
-                with_deadline(deadline, changes.wait())
-                    .await
-                    .unwrap_or(values)
+                let newer = wait(changes, deadline, pulse).await;
+                newer.or(Some(values))
             }
+        };
+        let Some(values) = values else {
+            continue;
         };
         failed = None;
         if values == stored {
@@ -47,6 +57,23 @@ pub async fn keep<F: NorFlash, const R: usize>(
                 log_error(&error);
                 failed = Some(values);
             }
+        }
+    }
+}
+
+/// The next change until a deadline, and a beat all the while. Only the wait is cut short, never a write.
+async fn wait<const R: usize>(
+    changes: &Changes<R>,
+    deadline: Instant,
+    pulse: &Pulse,
+) -> Option<[i32; R]> {
+    loop {
+        pulse.beat();
+        let beat = Instant::now().saturating_add(BEAT).min(deadline);
+        match with_deadline(beat, changes.wait()).await {
+            Ok(values) => return Some(values),
+            Err(_) if Instant::now() >= deadline => return None,
+            Err(_) => {}
         }
     }
 }

@@ -50,6 +50,24 @@ pub struct OutputWire {
     pub address: &'static str,
     /// The pin is low when the output is True.
     pub active_low: bool,
-    /// The value that is safe: what the pin shows until scan 0 has ended.
+    /// The value that is safe: what the pin shows until scan 0 has ended, and from when the program is stopped.
     pub safe: bool,
+}
+
+/// When scans take too long too often, and what is done about it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Overload {
+    /// What is done about it.
+    pub policy: Policy,
+    /// So many of the latest scans overran, when it is one; 1 to [`crate::schedule::LATEST`].
+    pub overruns: u32,
+}
+
+/// What the controller does about an overload.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Policy {
+    /// It says so, and goes on.
+    KeepRunning,
+    /// It makes the outputs safe and starts again.
+    SafeStop,
 }

@@ -19,7 +19,7 @@ use plc::log::Observer;
 use plc::output::Outputs;
 use plc::scale::Scale;
 use plc::scan::{Board, Changes, Controller};
-use plc::wiring::AnalogueWire;
+use plc::wiring::{AnalogueWire, Overload, Policy};
 use support::program::{Leaked, program};
 
 const TANK: &str = "
@@ -87,7 +87,7 @@ fn run(
     }]));
     let (seen, faults, changes) = (RefCell::default(), Cell::new(0), Changes::<0>::new());
     simulate(async {
-        let controller = Controller {
+        let mut controller = Controller {
             engine: tank.engine(),
             inputs: Inputs::new(
                 [] as [Input<'_>; 0],
@@ -101,6 +101,11 @@ fn run(
                 faults: &faults,
             },
             changes: &changes,
+            watched: &[],
+            overload: Overload {
+                policy: Policy::KeepRunning,
+                overruns: 10,
+            },
             observer: Observer::new(tank.names),
         };
         let hog = async {

@@ -11,6 +11,7 @@ use plc::boot::{Cause, Evidence, Mark, boot};
 use plc::record::Values;
 use plc::retain::Store;
 use plc::scan::snapshot;
+use plc::vitals::Task;
 use support::nor::Nor;
 use support::program::{Leaked, program};
 
@@ -152,6 +153,7 @@ fn the_cause_of_a_reset_is_told_from_what_it_left() {
     let power = Evidence {
         by_watchdog: false,
         mark: Mark::None,
+        suspect: Task::Scan,
         by_debug_port: false,
         by_run_pin: false,
         memory_kept: false,
@@ -195,7 +197,24 @@ fn the_cause_of_a_reset_is_told_from_what_it_left() {
                 mark: Mark::Running,
                 ..power
             },
-            Cause::Watchdog,
+            Cause::Watchdog(Task::Scan),
+        ),
+        (
+            Evidence {
+                by_watchdog: true,
+                mark: Mark::Running,
+                suspect: Task::Store,
+                ..power
+            },
+            Cause::Watchdog(Task::Store),
+        ),
+        (
+            Evidence {
+                by_watchdog: true,
+                mark: Mark::Overloaded,
+                ..power
+            },
+            Cause::Overload,
         ),
         (
             Evidence {
@@ -220,5 +239,27 @@ fn the_cause_of_a_reset_is_told_from_what_it_left() {
         .iter()
         .filter(|(_, cause)| cause.is_recovery())
         .count();
-    assert_eq!(recoveries, 3);
+    assert_eq!(recoveries, 5);
+}
+
+#[test]
+fn what_an_image_leaves_is_read_by_the_next_one_and_noise_is_not() {
+    for mark in [Mark::None, Mark::Running, Mark::Panicked, Mark::Overloaded] {
+        assert_eq!(Mark::read(mark.word()), mark);
+    }
+    for task in Task::ALL {
+        assert_eq!(Task::read(task.word()), task);
+    }
+    for noise in [1, 0x706c_6330, u32::MAX] {
+        assert_eq!(Mark::read(noise), Mark::None);
+    }
+    assert_eq!(Task::read(u32::MAX), Task::Scan);
+}
+
+#[test]
+fn the_boot_line_names_what_hung() {
+    let causes = Task::ALL.map(|task| Cause::Watchdog(task).name());
+    for (cause, task) in causes.into_iter().zip(Task::ALL) {
+        assert_eq!(cause, format!("watchdog: {} hung", task.name()));
+    }
 }

@@ -6,13 +6,15 @@ mod support;
 
 use std::cell::RefCell;
 
-use embassy_futures::select::select;
+use embassy_futures::select::select3;
 use embassy_time::{Duration, Timer};
 use embedded_storage_async::nor_flash::{ErrorType, NorFlash, ReadNorFlash};
 use plc::boards::host::clock::simulate;
 use plc::boards::host::lines::keep;
 use plc::retain::Store;
 use plc::scan::Changes;
+use plc::store::SILENCE_MS;
+use plc::vitals::{Pulse, Task};
 use support::nor::{Nor, Refusal};
 use support::program::program;
 
@@ -78,6 +80,14 @@ fn programmed(handed: &[i32], refusals: u32) -> (Vec<usize>, Vec<String>) {
             let mut store = Store::new(shared, 0..(SECTOR * SECTORS) as u32);
             store.load().await.expect("the flash works");
             let changes = Changes::<1>::new();
+            let pulse = Pulse::new(Task::Store, SILENCE_MS);
+            let scans = async {
+                // A task that shows itself four times a second is never silent for half of one.
+                loop {
+                    Timer::after(Duration::from_millis(10)).await;
+                    assert_eq!(pulse.count(10 * SILENCE_MS / 500), None);
+                }
+            };
             let mut counts = Vec::new();
             let hand = async {
                 for value in handed {
@@ -88,9 +98,10 @@ fn programmed(handed: &[i32], refusals: u32) -> (Vec<usize>, Vec<String>) {
                 Timer::after(Duration::from_secs(5)).await;
                 counts.push(flash.borrow().programmed);
             };
-            select(
+            select3(
                 hand,
-                plc::store::keep(&mut store, counter.program, &changes, [0]),
+                scans,
+                plc::store::keep(&mut store, counter.program, &changes, [0], &pulse),
             )
             .await;
             counts

@@ -3,7 +3,7 @@
 #![allow(clippy::unwrap_used, reason = "a failed expectation is a failed test")]
 
 use plc::application::{
-    ANALOGUE_INPUTS, INPUTS, NAMES, OUTPUTS, PROGRAM, RETAIN, Storage, WATCHDOG_MS,
+    ANALOGUE_INPUTS, INPUTS, NAMES, OUTPUTS, OVERLOAD, PROGRAM, RETAIN, Storage, WATCHDOG_MS,
 };
 use wiring::Loaded;
 
@@ -57,4 +57,10 @@ fn the_wires_are_those_of_the_file() {
         .map(|it| (it.bit, it.address.to_owned(), it.safe));
     assert!(outputs.eq(built));
     assert_eq!((RETAIN, WATCHDOG_MS), (wiring.retain, wiring.watchdog_ms));
+    assert_eq!(OVERLOAD.overruns, wiring.overload.overruns);
+    let stops = [
+        OVERLOAD.policy == plc::wiring::Policy::SafeStop,
+        wiring.overload.policy == wiring::file::Policy::SafeStop,
+    ];
+    assert_eq!(stops[0], stops[1]);
 }

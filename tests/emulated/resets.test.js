@@ -16,7 +16,7 @@ const RECOVERED = 1 << 2;
 
 const boot = () => new Pico(image, { inputs: INPUTS });
 const causes = (pico) =>
-  pico.log.map(({ text }) => /reset: ([a-z -]+),/.exec(text)?.[1]).filter(Boolean);
+  pico.log.map(({ text }) => /reset: ([a-z :-]+),/.exec(text)?.[1]).filter(Boolean);
 const recovered = (pico) => (pico.read32('PLC_STORAGE') & RECOVERED) !== 0;
 
 /** Replaces the first instruction of the scan's interrupt until the next start. */
@@ -55,7 +55,7 @@ test('a scan that hangs is ended by the watchdog, and the program knows', () => 
   break_(pico, [0xfe, 0xe7]); // B .
   assert.ok(OUTPUTS.every((pin) => !pico.driven(pin)), 'a reset lets go of every pin');
   pico.runFor(50);
-  assert.deepEqual(causes(pico), ['power-on', 'watchdog']);
+  assert.deepEqual(causes(pico), ['power-on', 'watchdog: scan hung']);
   assert.equal(recovered(pico), true);
   assert.equal(pico.level(16), 0);
 });

@@ -8,3 +8,4 @@
 
 pub mod nor;
 pub mod program;
+pub mod task;

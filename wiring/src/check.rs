@@ -8,7 +8,7 @@ use grafcet_core::program::{Bit, Number, Slot};
 
 use crate::board::{Board, Pin};
 use crate::duration;
-use crate::file::PlcFile;
+use crate::file::{Overload, PlcFile};
 use crate::join::{Program, bad_scale, number_at_pin, report_twice};
 use crate::pins::Pins;
 use crate::rule::{Diagnostic, Rule};
@@ -38,6 +38,8 @@ pub struct Wiring {
     pub record_bytes: usize,
     /// Time in ms after which a scan that does not end resets the board.
     pub watchdog_ms: u32,
+    /// What is an overload, and what is done about it.
+    pub overload: Overload,
 }
 
 /// A variable of the program on a pin.
@@ -114,6 +116,7 @@ pub fn check(
         retain: board.flash_bytes - retain_bytes..board.flash_bytes,
         record_bytes,
         watchdog_ms,
+        overload: file.overload,
     };
     (diagnostics.is_empty().then_some(wiring), diagnostics)
 }

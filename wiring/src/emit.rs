@@ -1,6 +1,6 @@
 //! The wiring as Rust source: what `build.rs` puts beside the program.
 //!
-//! `InputWire`, `AnalogueWire` and `OutputWire` are types of the image; the generated items name them as the including
+//! `InputWire`, `AnalogueWire`, `OutputWire`, `Overload` and `Policy` are types of the image; the generated items name them as the including
 //! module knows them.
 
 use grafcet_compiler::application::Application;
@@ -10,9 +10,10 @@ use quote::quote;
 
 use crate::board::Pin;
 use crate::check::{Connection, Wiring};
+use crate::file::Policy;
 use crate::wire::{Active, AnalogueInput, DigitalInput, OutputEntry, Pull};
 
-/// `INPUTS`, `ANALOGUE_INPUTS`, `OUTPUTS`, `RETAIN` and `WATCHDOG_MS`: what the image is told on every machine.
+/// `INPUTS`, `ANALOGUE_INPUTS`, `OUTPUTS`, `RETAIN`, `WATCHDOG_MS` and `OVERLOAD`: what the image is told on every machine.
 #[must_use]
 pub fn tables(wiring: &Wiring) -> TokenStream {
     let inputs = wiring.inputs.iter().map(input_wire);
@@ -25,6 +26,11 @@ pub fn tables(wiring: &Wiring) -> TokenStream {
     );
     let record_bytes = Literal::usize_unsuffixed(wiring.record_bytes);
     let watchdog_ms = Literal::u32_unsuffixed(wiring.watchdog_ms);
+    let overruns = Literal::u32_unsuffixed(wiring.overload.overruns);
+    let policy = match wiring.overload.policy {
+        Policy::KeepRunning => quote!(KeepRunning),
+        Policy::SafeStop => quote!(SafeStop),
+    };
     quote! {
         /// The Boolean inputs, in the order of their pins.
         pub static INPUTS: [InputWire; #input_count] = [#(#inputs),*];
@@ -42,6 +48,9 @@ pub fn tables(wiring: &Wiring) -> TokenStream {
 
         /// After so many ms without a completed scan the watchdog resets the board.
         pub const WATCHDOG_MS: u32 = #watchdog_ms;
+
+        /// What is an overload, and what is done about it.
+        pub const OVERLOAD: Overload = Overload { policy: Policy::#policy, overruns: #overruns };
     }
 }
 

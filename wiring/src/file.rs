@@ -18,6 +18,38 @@ pub const DEFAULT_SECTORS: u32 = 4;
 /// The store has two halves of at least two sectors each; more of them wear less.
 pub const SECTORS: std::ops::RangeInclusive<u32> = 4..=64;
 
+/// Overruns among the latest 100 scans that are an overload.
+pub const OVERRUNS: std::ops::RangeInclusive<u32> = 1..=100;
+
+/// What the controller does about an overload.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Policy {
+    /// It says so, and goes on.
+    KeepRunning,
+    /// It makes the outputs safe and starts again.
+    SafeStop,
+}
+
+/// `[overload]`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Overload {
+    /// What is done about it.
+    pub policy: Policy,
+    /// How many of the latest 100 scans overran, when it is one.
+    pub overruns: u32,
+}
+
+impl Default for Overload {
+    /// A controller that cannot keep its times does not hold what its program was reckoned to do; a scan held up by the
+    /// flash, now and then, is none of that.
+    fn default() -> Self {
+        Overload {
+            policy: Policy::SafeStop,
+            overruns: 10,
+        }
+    }
+}
+
 /// The file.
 #[derive(Clone, Debug)]
 pub struct PlcFile {
@@ -35,6 +67,8 @@ pub struct PlcFile {
     pub retain_sectors: u32,
     /// Time in ms after which a scan that does not end resets the board, when the file sets it.
     pub watchdog_ms: Option<Placed<u32>>,
+    /// What is an overload, and what is done about it.
+    pub overload: Overload,
 }
 
 /// A table of wires.
@@ -84,6 +118,7 @@ fn read_tables(table: &Spanned<DeTable<'_>>, report: &mut Report) -> PlcFile {
             "outputs",
             "retain",
             "watchdog",
+            "overload",
         ],
         report,
     );
@@ -125,6 +160,25 @@ fn read_tables(table: &Spanned<DeTable<'_>>, report: &mut Report) -> PlcFile {
         outputs,
         retain_sectors: retain_sectors.map_or(DEFAULT_SECTORS, |sectors| sectors.value),
         watchdog_ms,
+        overload: read_overload(&top, report),
+    }
+}
+
+fn read_overload(top: &Table<'_>, report: &mut Report) -> Overload {
+    let default = Overload::default();
+    let Some(table) = top.table("overload", "`[overload]`", report) else {
+        return default;
+    };
+    table.expect_keys(&["policy", "overruns"], report);
+    let policies = [
+        ("safe-stop", Policy::SafeStop),
+        ("keep-running", Policy::KeepRunning),
+    ];
+    let policy = table.choice("policy", &policies, report);
+    let overruns = table.integer("overruns", OVERRUNS, "10", " of 100 scans", report);
+    Overload {
+        policy: policy.unwrap_or(default.policy),
+        overruns: overruns.map_or(default.overruns, |overruns| overruns.value),
     }
 }
 

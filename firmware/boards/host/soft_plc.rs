@@ -6,8 +6,7 @@ use std::io;
 use std::path::Path;
 use std::task::Poll;
 
-use embassy_futures::join::join;
-use embassy_futures::select::select;
+use embassy_futures::select::{Either3, select3};
 use embassy_sync::blocking_mutex::raw::NoopRawMutex;
 use embassy_sync::signal::Signal;
 use embassy_time::{Duration, Timer};
@@ -24,15 +23,16 @@ use super::pins::{Input, Output, Readings};
 use super::script::{Next, Outcome};
 use crate::analogue::Analogue;
 use crate::application::{
-    ANALOGUE_INPUTS, INPUTS, NAMES, OUTPUTS, PROGRAM, RETAIN, Storage, ThisProgram,
+    ANALOGUE_INPUTS, INPUTS, NAMES, OUTPUTS, OVERLOAD, PROGRAM, RETAIN, Storage, ThisProgram,
 };
 use crate::boot::{Cause, boot};
 use crate::input::Inputs;
 use crate::log::Observer;
 use crate::output::Outputs;
 use crate::retain::Store;
-use crate::scan::{Board, Changes, Controller, snapshot};
-use crate::store::keep;
+use crate::scan::{Board, Changes, Controller, Stop, snapshot};
+use crate::store::{SILENCE_MS, keep};
+use crate::vitals::{Pulse, Task};
 
 /// How long power stays away in a power cycle.
 const POWER_OFF: Duration = Duration::from_secs(1);
@@ -47,6 +47,7 @@ pub async fn run(machine: Machine, retain: &Path) -> io::Result<Outcome> {
     let machine = RefCell::new(machine);
     let panel = Panel::default();
     let moved = Signal::new();
+    let mut cause = Cause::PowerOn;
     loop {
         panel.make_safe();
         let board = SoftPlc {
@@ -56,8 +57,12 @@ pub async fn run(machine: Machine, retain: &Path) -> io::Result<Outcome> {
         };
         board.step(None);
         if !moved.signaled() {
-            power_on(board, retain).await?;
+            if let Some(stop) = start(board, retain, cause).await? {
+                cause = stop.cause();
+                continue;
+            }
         }
+        cause = Cause::PowerOn;
         if let Next::End(outcome) = moved.wait().await {
             return Ok(outcome);
         }
@@ -65,15 +70,16 @@ pub async fn run(machine: Machine, retain: &Path) -> io::Result<Outcome> {
     }
 }
 
-/// Runs the controller from power-on until the machine asks for something else than a scan.
-async fn power_on(board: SoftPlc<'_>, retain: &Path) -> io::Result<()> {
+/// Runs the controller from its start until it has to start again, or the machine asks for something else than a scan.
+async fn start(board: SoftPlc<'_>, retain: &Path, cause: Cause) -> io::Result<Option<Stop>> {
     let (panel, moved) = (board.panel, board.moved);
     let mut engine = Engine::new(ThisProgram, Storage::new());
     let mut store = Store::new(FlashFile::open(retain, RETAIN)?, RETAIN);
-    boot(&mut engine, &NAMES, &mut store, Cause::PowerOn).await;
+    boot(&mut engine, &NAMES, &mut store, cause).await;
     let stored: [i32; RETAINED] = snapshot(&engine);
     let changes = Changes::new();
-    let controller = Controller {
+    let watched = [Pulse::new(Task::Store, SILENCE_MS)];
+    let mut controller = Controller {
         engine,
         inputs: Inputs::new(
             panel.inputs.each_ref().map(Input),
@@ -83,9 +89,12 @@ async fn power_on(board: SoftPlc<'_>, retain: &Path) -> io::Result<()> {
         outputs: Outputs::new(panel.outputs.each_ref().map(Output), &OUTPUTS),
         board,
         changes: &changes,
+        watched: &watched,
+        overload: OVERLOAD,
         observer: Observer::new(&NAMES),
     };
-    let keep = keep(&mut store, &PROGRAM, &changes, stored);
+    let [pulse] = &watched;
+    let keep = keep(&mut store, &PROGRAM, &changes, stored, pulse);
     let asked = poll_fn(|_| {
         if moved.signaled() {
             Poll::Ready(())
@@ -94,8 +103,10 @@ async fn power_on(board: SoftPlc<'_>, retain: &Path) -> io::Result<()> {
         }
     });
     // Nothing is cut short when the tasks are dropped: a write to the file happens within one poll.
-    select(join(controller.run(), keep), asked).await;
-    Ok(())
+    match select3(controller.run(), keep, asked).await {
+        Either3::First(stop) => Ok(Some(stop)),
+        _ => Ok(None),
+    }
 }
 
 /// What the host does around a scan.

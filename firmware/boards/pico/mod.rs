@@ -3,6 +3,7 @@
 //! The scan runs on an executor of its own, in a software interrupt above all other tasks and below the timer. The
 //! store task runs in thread mode. Unsafe code is here and in [`reset`] only; each piece says why.
 
+mod flash;
 pub mod reset;
 
 use core::ptr::addr_of_mut;
@@ -10,10 +11,9 @@ use core::sync::atomic::{AtomicU32, Ordering};
 
 // The log goes to a probe, or to an emulator, through RTT.
 use defmt_rtt as _;
-use embassy_embedded_hal::adapter::BlockingAsync;
 use embassy_executor::InterruptExecutor;
 use embassy_rp::adc::{self, Adc, Channel};
-use embassy_rp::flash::{Blocking, Flash};
+use embassy_rp::flash::Flash;
 use embassy_rp::gpio::{Input, Output};
 use embassy_rp::interrupt;
 use embassy_rp::interrupt::{InterruptExt, Priority};
@@ -25,16 +25,18 @@ use grafcet_core::program::Compiled;
 
 use crate::analogue::{Analogue, Converter};
 use crate::application::{
-    ANALOGUE_INPUTS, INPUTS, NAMES, OUTPUTS, PROGRAM, RETAIN, Storage, ThisProgram, WATCHDOG_MS,
-    board_pins,
+    ANALOGUE_INPUTS, INPUTS, NAMES, OUTPUTS, OVERLOAD, PROGRAM, RETAIN, Storage, ThisProgram,
+    WATCHDOG_MS, board_pins,
 };
 use crate::boot::boot;
 use crate::input::Inputs;
 use crate::log::Observer;
 use crate::output::Outputs;
 use crate::retain::Store;
-use crate::scan::{Board, Changes, Controller, snapshot};
-use crate::store::keep;
+use crate::scan::{Board, Changes, Controller, STANDSTILL, Stop, snapshot};
+use crate::store::{SILENCE_MS, keep};
+use crate::vitals::{Pulse, Task};
+use flash::StoreFlash;
 
 /// Bytes of flash on a Pico.
 const FLASH_SIZE: usize = 2 * 1024 * 1024;
@@ -45,6 +47,7 @@ const BOOT_WATCHDOG: Duration = Duration::from_millis(8_000);
 const SCAN_WATCHDOG: Duration = Duration::from_millis(WATCHDOG_MS as u64);
 
 const _: () = assert!(SCAN_WATCHDOG.as_millis() <= BOOT_WATCHDOG.as_millis());
+const _: () = assert!(STANDSTILL.as_millis() < BOOT_WATCHDOG.as_millis());
 const _: () = assert!(RETAIN.end as usize <= FLASH_SIZE);
 
 /// How many variables and parameters are retained.
@@ -59,6 +62,9 @@ static mut STORAGE: Storage = Storage::new();
 static SCANS: AtomicU32 = AtomicU32::new(0);
 
 static CHANGES: Changes<RETAINED> = Changes::new();
+
+/// The tasks below the scan.
+static WATCHED: [Pulse; 1] = [Pulse::new(Task::Store, SILENCE_MS)];
 
 static SCAN_EXECUTOR: InterruptExecutor = InterruptExecutor::new();
 
@@ -89,8 +95,9 @@ pub async fn run() -> ! {
     // SAFETY: this is the only place that names STORAGE, and main runs once.
     let memory = unsafe { &mut *addr_of_mut!(STORAGE) };
     let mut engine = Engine::new(ThisProgram, memory);
-    let flash = Flash::<_, Blocking, FLASH_SIZE>::new_blocking(p.FLASH);
-    let mut store = Store::new(BlockingAsync::new(flash), RETAIN);
+    let [pulse] = &WATCHED;
+    let flash = StoreFlash::new(Flash::new_blocking(p.FLASH), pulse);
+    let mut store = Store::new(flash, RETAIN);
     boot(&mut engine, &NAMES, &mut store, cause).await;
 
     let stored = snapshot(&engine);
@@ -104,10 +111,17 @@ pub async fn run() -> ! {
         engine,
         inputs: Inputs::new(inputs, &INPUTS, Analogue::new(voltmeter, &ANALOGUE_INPUTS)),
         outputs,
-        board: Pico { watchdog },
+        board: Pico {
+            watchdog,
+            interrupted: Task::Scan,
+        },
         changes: &CHANGES,
+        watched: &WATCHED,
+        overload: OVERLOAD,
         observer: Observer::new(&NAMES),
     };
+    // What is not under way elsewhere is the scan that does not come.
+    reset::suspect(Task::Scan);
     interrupt::SWI_IRQ_0.set_priority(Priority::P1);
     let spawner = SCAN_EXECUTOR.start(interrupt::SWI_IRQ_0);
     match scan(controller) {
@@ -115,12 +129,13 @@ pub async fn run() -> ! {
         // It is spawned once. Should that ever not hold, nothing feeds the watchdog.
         Err(_) => defmt::error!("the scan task is already running"),
     }
-    keep(&mut store, &PROGRAM, &CHANGES, stored).await
+    keep(&mut store, &PROGRAM, &CHANGES, stored, pulse).await
 }
 
 #[embassy_executor::task]
-async fn scan(controller: PicoController) -> ! {
-    controller.run().await
+async fn scan(mut controller: PicoController) -> ! {
+    controller.run().await;
+    reset::restart()
 }
 
 #[interrupt]
@@ -146,18 +161,29 @@ impl Converter for Voltmeter {
 /// What the Pico does around a scan.
 struct Pico {
     watchdog: Watchdog,
+    /// What had the processor when the scan began.
+    interrupted: Task,
 }
 
 impl Board for Pico {
     /// The longest cause that is no fault is a page of flash being programmed, 0.4 ms at a time.
     const LATE_AFTER: Duration = Duration::from_millis(1);
 
+    fn begin(&mut self) {
+        self.interrupted = reset::suspect(Task::Scan);
+    }
+
     fn complete(&mut self, _engine: &Engine<impl Compiled, impl Memory>) {
         self.watchdog.feed(SCAN_WATCHDOG);
+        reset::suspect(self.interrupted);
         // One writer: no compare-and-swap is needed, and a Cortex-M0+ has none.
         SCANS.store(
             SCANS.load(Ordering::Relaxed).wrapping_add(1),
             Ordering::Relaxed,
         );
+    }
+
+    fn stop(&mut self, stop: Stop) {
+        reset::stop(&mut self.watchdog, stop);
     }
 }
