@@ -110,16 +110,16 @@ build_bench_image() {
 }
 
 # Builds the images of the applications that tests use, each as $IMAGES/NAME: those of tests/emulated/applications, the
-# random ones, which a test of the reference writes to $RANDOM_PROGRAMS, and the mixing tank, whose soft PLC lies beside the
-# switcher's.
+# random ones, which a test of the reference writes to $RANDOM_PROGRAMS, the drilling station, and the mixing tank, whose soft
+# PLC lies beside the switcher's.
 build_test_images() {
     IMAGES="$BUILD_DIR/test-images"
     RANDOM_PROGRAMS="$BUILD_DIR/tmp/applications"
     mkdir -p "$IMAGES"
     cargo test --locked --quiet --package grafcet-reference --test differential board::
     local wiring
-    local tank=graphs/examples/mixing_tank/plc.toml
-    for wiring in tests/emulated/applications/*/plc.toml "$RANDOM_PROGRAMS"/*/plc.toml "$tank"; do
+    local station=graphs/examples/drilling_station/plc.toml tank=graphs/examples/mixing_tank/plc.toml
+    for wiring in tests/emulated/applications/*/plc.toml "$RANDOM_PROGRAMS"/*/plc.toml "$station" "$tank"; do
         # Quietly: what a program that has to show everything is warned of is no news.
         PLC=$wiring build_image --quiet
         cp "$IMAGE" "$IMAGES/$(basename "$(dirname "$wiring")")"

@@ -76,14 +76,15 @@ impl<'b> Machine<'b> {
         self.engine.set_parameter(slot, value);
     }
 
-    /// Runs scan 0, or a later one at that time in ms since scan 0.
-    pub fn scan(&mut self, time_ms: u64) {
+    /// Runs scan 0, or a later one at that time in ms since scan 0. False when it was an idle one, as
+    /// [`Engine::scan`] says.
+    pub fn scan(&mut self, time_ms: u64) -> bool {
         if self.started {
-            self.engine.scan(time_ms);
-        } else {
-            self.engine.start();
-            self.started = true;
+            return self.engine.scan(time_ms);
         }
+        self.engine.start();
+        self.started = true;
+        true
     }
 
     /// Loses power and gets it back: all is forgotten but what is retained. The next scan is scan 0.

@@ -191,19 +191,27 @@ impl<'b> Simulation<'b> {
         }
     }
 
-    /// Runs one scan: scan 0, or the one that is due a period after the latest.
-    pub fn scan(&mut self) {
+    /// Runs one scan: scan 0, or the one that is due a period after the latest. False when it was an idle one of the
+    /// controller.
+    pub fn scan(&mut self) -> bool {
         self.scan_plants();
         for terminal in &self.terminals {
             self.controller.sample(terminal.slot, terminal.value);
         }
-        self.controller
-            .scan(self.scans.saturating_mul(self.period_ms));
+        let time_ms = self.scans.saturating_mul(self.period_ms);
+        let full = self.controller.scan(time_ms);
         self.scans += 1;
         let images = self.controller.images();
         for terminal in &mut self.terminals {
             terminal.sampled = images.value(terminal.slot);
         }
+        full
+    }
+
+    /// Lets so many scans pass without running them, neither the controller nor the plants.
+    pub fn leap(&mut self, scans: u64) {
+        self.scans += scans;
+        self.plant_scans += scans;
     }
 
     /// The controller loses power and gets it back: what is retained is kept, the plants live on, and what is set

@@ -12,7 +12,7 @@ const FULL_SCALE = 4095;
 const STEP = 15;
 
 test('the tank fills and empties at random as on x86', () => {
-  const tank = Application.mixingTank();
+  const tank = Application.example('mixing_tank');
   const { trace, log } = inLockstep(tank, { seed: 41, scans: 18_000, habits: { level: { stays: 200 } } });
   assert.deepEqual(log.filter((text) => /overrun|late scan|arithmetic fault/.test(text)), []);
   const steps = new Set(trace.map((row) => row[1]));
@@ -20,7 +20,7 @@ test('the tank fills and empties at random as on x86', () => {
 });
 
 test('every voltage is read as its place on the scale', () => {
-  const bench = new Bench(Application.mixingTank());
+  const bench = new Bench(Application.example('mixing_tank'));
   for (let reading = 0; reading <= FULL_SCALE; reading += STEP) {
     bench.connect([0, reading]);
     if (reading === 0) bench.pico.powerOn();
@@ -34,7 +34,7 @@ test('every voltage is read as its place on the scale', () => {
 });
 
 test('a voltage that changes is read as the mean of the filter time', () => {
-  const bench = new Bench(Application.mixingTank());
+  const bench = new Bench(Application.example('mixing_tank'));
   bench.connect([0, FULL_SCALE]);
   bench.pico.powerOn();
   bench.scan();

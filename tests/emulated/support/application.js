@@ -31,9 +31,9 @@ export class Application {
     return new Application(`tests/emulated/applications/${name}/plc.toml`, join(PLC_IMAGES, name));
   }
 
-  /** The mixing tank of the examples. */
-  static mixingTank() {
-    return new Application('graphs/examples/mixing_tank/plc.toml', join(PLC_IMAGES, 'mixing_tank'));
+  /** One of the examples, of those that have an image. */
+  static example(name) {
+    return new Application(`graphs/examples/${name}/plc.toml`, join(PLC_IMAGES, name));
   }
 
   /** The random programs, which `reference/tests/differential/board.rs` writes. */

@@ -48,7 +48,7 @@ function meanOf({ filterMs, scale }, periodMs) {
 }
 
 /** How many scans after a change, made just behind a scan, an input is seen to have changed. */
-function seenAfter(input, periodMs) {
+export function seenAfter(input, periodMs) {
   if (input.scale) return meanOf(input, periodMs);
   return input.filterMs ? Math.ceil((input.filterMs + FILTER_MARGIN_MS) / periodMs) : 1;
 }
