@@ -133,8 +133,10 @@ where
                 return Stop::Hung(task);
             }
             self.board.complete(&self.engine);
-            log_missed(schedule.complete(Instant::now()), &schedule);
-            if self.is_overload_to_end(&schedule, &mut overloaded) {
+            let missed = schedule.complete(Instant::now());
+            let ends = self.is_overload_to_end(&schedule, &mut overloaded);
+            log_missed(missed, &schedule);
+            if ends {
                 Timer::at(Instant::now().saturating_add(STANDSTILL)).await;
                 return Stop::Overload;
             }

@@ -111,7 +111,7 @@ build_bench_image() {
 
 # Builds the images of the applications that tests use, each as $IMAGES/NAME: those of tests/emulated/applications, the
 # random ones, which a test of the reference writes to $RANDOM_PROGRAMS, the drilling station, and the mixing tank, whose soft
-# PLC lies beside the switcher's.
+# PLC lies beside the switcher's. `hang` is an image whose tasks hang when a test tells them to.
 build_test_images() {
     IMAGES="$BUILD_DIR/test-images"
     RANDOM_PROGRAMS="$BUILD_DIR/tmp/applications"
@@ -124,6 +124,8 @@ build_test_images() {
         PLC=$wiring build_image --quiet
         cp "$IMAGE" "$IMAGES/$(basename "$(dirname "$wiring")")"
     done
+    PLC=tests/emulated/applications/tolerant/plc.toml build_image --quiet --features hang
+    cp "$IMAGE" "$IMAGES/hang"
     PLC=$tank cargo build --locked --quiet --package plc
     cp "$BUILD_DIR/debug/plc" "$BUILD_DIR/debug/plc-mixing_tank"
     # The last one stays where the other scripts look for it.

@@ -4,6 +4,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
 import { Pico } from '../../emulator/src/index.js';
+import { causes, untilStartedAgain } from './support/resets.js';
 
 const { PLC_IMAGE: image } = process.env;
 
@@ -15,17 +16,14 @@ const FLASH_BASE = 0x1000_0000;
 const RECOVERED = 1 << 2;
 
 const boot = () => new Pico(image, { inputs: INPUTS });
-const causes = (pico) =>
-  pico.log.map(({ text }) => /reset: ([a-z :-]+),/.exec(text)?.[1]).filter(Boolean);
 const recovered = (pico) => (pico.read32('PLC_STORAGE') & RECOVERED) !== 0;
 
 /** Replaces the first instruction of the scan's interrupt until the next start. */
 function break_(pico, instruction) {
   const offset = (pico.symbol('SWI_IRQ_0').address & ~1) - FLASH_BASE;
   const kept = pico.flash.bytes.slice(offset, offset + 2);
-  const boots = pico.boots.length;
   pico.flash.bytes.set(instruction, offset);
-  assert.ok(pico.runUntil(() => pico.boots.length > boots, 3000), 'the board starts again');
+  untilStartedAgain(pico, 3000);
   pico.flash.bytes.set(kept, offset);
 }
 

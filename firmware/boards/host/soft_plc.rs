@@ -56,11 +56,11 @@ pub async fn run(machine: Machine, retain: &Path) -> io::Result<Outcome> {
             moved: &moved,
         };
         board.step(None);
-        if !moved.signaled() {
-            if let Some(stop) = start(board, retain, cause).await? {
-                cause = stop.cause();
-                continue;
-            }
+        if !moved.signaled()
+            && let Some(stop) = start(board, retain, cause).await?
+        {
+            cause = stop.cause();
+            continue;
         }
         cause = Cause::PowerOn;
         if let Next::End(outcome) = moved.wait().await {

@@ -38,6 +38,8 @@ impl StoreFlash {
             self.feeds -= 1;
             reset::feed_start();
         }
+        #[cfg(feature = "hang")]
+        super::hang::hold(Task::Store);
         let outcome = operation(self);
         reset::suspect(before);
         outcome

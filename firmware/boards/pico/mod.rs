@@ -4,6 +4,8 @@
 //! store task runs in thread mode. Unsafe code is here and in [`reset`] only; each piece says why.
 
 mod flash;
+#[cfg(feature = "hang")]
+mod hang;
 pub mod reset;
 
 use core::ptr::addr_of_mut;
@@ -37,6 +39,17 @@ use crate::scan::{Board, Changes, Controller, STANDSTILL, Stop, snapshot};
 use crate::store::{SILENCE_MS, keep};
 use crate::vitals::{Pulse, Task};
 use flash::StoreFlash;
+
+/// A task as it is; in an image with the feature `hang`, one that hangs when a test tells it to.
+macro_rules! hangable {
+    ($task:expr, $future:expr) => {{
+        #[cfg(not(feature = "hang"))]
+        let future = $future;
+        #[cfg(feature = "hang")]
+        let future = hang::hangable($task, $future);
+        future
+    }};
+}
 
 /// Bytes of flash on a Pico.
 const FLASH_SIZE: usize = 2 * 1024 * 1024;
@@ -98,7 +111,7 @@ pub async fn run() -> ! {
     let [pulse] = &WATCHED;
     let flash = StoreFlash::new(Flash::new_blocking(p.FLASH), pulse);
     let mut store = Store::new(flash, RETAIN);
-    boot(&mut engine, &NAMES, &mut store, cause).await;
+    hangable!(Task::Start, boot(&mut engine, &NAMES, &mut store, cause)).await;
 
     let stored = snapshot(&engine);
     let voltmeter = Voltmeter {
@@ -129,12 +142,16 @@ pub async fn run() -> ! {
         // It is spawned once. Should that ever not hold, nothing feeds the watchdog.
         Err(_) => defmt::error!("the scan task is already running"),
     }
-    keep(&mut store, &PROGRAM, &CHANGES, stored, pulse).await
+    hangable!(
+        Task::Store,
+        keep(&mut store, &PROGRAM, &CHANGES, stored, pulse)
+    )
+    .await
 }
 
 #[embassy_executor::task]
 async fn scan(mut controller: PicoController) -> ! {
-    controller.run().await;
+    hangable!(Task::Scan, controller.run()).await;
     reset::restart()
 }
 
