@@ -145,7 +145,7 @@ fn print(subject: Subject, outcome: &Outcome, (long, unit): (f64, &str)) {
     for (step, count, longest_ms) in &outcome.timed {
         println!("  step {step} was left {count} times, after {longest_ms} ms at the latest");
     }
-    for what in &outcome.missing {
-        println!("  too short: {what}");
+    if !outcome.missing.is_empty() {
+        println!("  too short for everything: {}", outcome.missing.join("; "));
     }
 }
