@@ -5,13 +5,15 @@ pub const SAMPLE_US: u32 = 1000;
 
 /// Follows one pin through samples taken about once a millisecond.
 ///
-/// A level is accepted once samples have shown it, and nothing else, for the filter's time. With samples at most 1 ms
-/// apart, a level shorter than the filter time is never accepted, and one that is longer by 2 ms always is. What is
-/// accepted is kept until the scan has read it, so that a pulse longer than the filter time but shorter than the scan
-/// period is not lost; of several within one period the scan sees one.
+/// A level is accepted once samples have shown it for the filter's time, and the pin has not changed in between. With
+/// samples at most 1 ms apart, a level shorter than the filter time is never accepted, whatever comes before and behind
+/// it, and one that is longer by 2 ms always is. What is accepted is kept until the scan has read it, so that a pulse
+/// longer than the filter time but shorter than the scan period is not lost; of several within one period the scan sees
+/// one.
 ///
-/// When samples fail to come for 1 ms more than the filter time, what they last showed is forgotten: two short pulses
-/// are not taken for one long level.
+/// A pin that cannot tell whether it has changed between two samples is taken not to have. For it, when samples fail to
+/// come for 1 ms more than the filter time, what they last showed is forgotten: two short pulses are not taken for one
+/// long level.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Filter {
     time_us: u32,
@@ -40,8 +42,9 @@ impl Filter {
         }
     }
 
-    /// Takes a sample. Times are in µs on a clock that may wrap around.
-    pub fn sample(&mut self, level: bool, now_us: u32) {
+    /// Takes a sample, of a pin that has `changed` since the one before or not. Times are in µs on a clock that may wrap
+    /// around.
+    pub fn sample(&mut self, level: bool, changed: bool, now_us: u32) {
         let gap = now_us.wrapping_sub(self.sampled_at);
         self.sampled_at = now_us;
         if level == self.level {
@@ -49,7 +52,7 @@ impl Filter {
             return;
         }
         let since = match self.differs_since {
-            Some(since) if gap <= self.time_us + SAMPLE_US => since,
+            Some(since) if !changed && gap <= self.time_us + SAMPLE_US => since,
             _ => now_us,
         };
         if now_us.wrapping_sub(since) >= self.time_us {

@@ -13,6 +13,13 @@ use crate::wiring::InputWire;
 
 const SAMPLE: Duration = Duration::from_micros(SAMPLE_US as u64);
 
+/// A pin that a filter can follow.
+pub trait Latched: InputPin {
+    /// Whether its level has changed since this was last asked, however short it was another one; False for a pin that
+    /// cannot tell.
+    fn take_changed(&mut self) -> bool;
+}
+
 /// The inputs of the program on their pins: N Booleans and A numbers.
 pub struct Inputs<P, C, const N: usize, const A: usize> {
     terminals: Vec<Terminal<P>, N>,
@@ -28,7 +35,7 @@ struct Terminal<P> {
     filter: Filter,
 }
 
-impl<P: InputPin, C: Converter, const N: usize, const A: usize> Inputs<P, C, N, A> {
+impl<P: Latched, C: Converter, const N: usize, const A: usize> Inputs<P, C, N, A> {
     /// The pins of the wires, in their order, and the analogue inputs.
     pub fn new(pins: [P; N], wires: &'static [InputWire; N], analogue: Analogue<C, A>) -> Self {
         let now = Instant::now();
@@ -79,7 +86,9 @@ impl<P: InputPin, C: Converter, const N: usize, const A: usize> Inputs<P, C, N, 
         let now = Instant::now();
         for Terminal { pin, wire, filter } in &mut self.terminals {
             if wire.filter_ms > 0 {
-                filter.sample(is_true(pin, wire), micros(now));
+                // In this order: what changes after the question is an answer to the next one.
+                let changed = pin.take_changed();
+                filter.sample(is_true(pin, wire), changed, micros(now));
             }
         }
         // A mean is one of evenly spaced samples.

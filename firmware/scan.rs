@@ -3,14 +3,14 @@
 use embassy_sync::blocking_mutex::raw::CriticalSectionRawMutex;
 use embassy_sync::signal::Signal;
 use embassy_time::{Duration, Instant, Timer};
-use embedded_hal::digital::{InputPin, OutputPin};
+use embedded_hal::digital::OutputPin;
 use grafcet_core::engine::Engine;
 use grafcet_core::memory::Memory;
 use grafcet_core::program::Compiled;
 
 use crate::analogue::Converter;
 use crate::boot::Cause;
-use crate::input::Inputs;
+use crate::input::{Inputs, Latched};
 use crate::log::{Observer, fault};
 use crate::output::Outputs;
 use crate::schedule::{LATEST, Schedule, Served};
@@ -98,7 +98,7 @@ impl<E, S, I, C, O, B, const N: usize, const A: usize, const M: usize, const R: 
 where
     E: Compiled,
     S: Memory,
-    I: InputPin,
+    I: Latched,
     C: Converter,
     O: OutputPin,
     B: Board,

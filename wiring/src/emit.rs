@@ -94,7 +94,7 @@ pub fn board_pins(wiring: &Wiring) -> TokenStream {
             Pull::Down => quote!(Down),
             Pull::None => quote!(None),
         };
-        quote!(embassy_rp::gpio::Input::new($p.#pin, embassy_rp::gpio::Pull::#pull))
+        quote!(crate::boards::pico::pin::DigitalInput::new($p.#pin, embassy_rp::gpio::Pull::#pull))
     });
     let channels = wiring.analogue_inputs.iter().map(|input| {
         let pin = peripheral(input);

@@ -6,6 +6,7 @@ use std::convert::Infallible;
 use embedded_hal::digital::{ErrorType, InputPin, OutputPin};
 
 use crate::analogue::Converter;
+use crate::input::Latched;
 
 /// An input pin. Whoever has the cell sets its level.
 pub struct Input<'a>(pub &'a Cell<bool>);
@@ -33,6 +34,13 @@ impl InputPin for Input<'_> {
 
     fn is_low(&mut self) -> Result<bool, Infallible> {
         Ok(!self.0.get())
+    }
+}
+
+impl Latched for Input<'_> {
+    /// Nobody changes a level twice between two samples: the machine moves once for each scan.
+    fn take_changed(&mut self) -> bool {
+        false
     }
 }
 

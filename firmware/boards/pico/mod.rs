@@ -6,6 +6,7 @@
 mod flash;
 #[cfg(feature = "hang")]
 mod hang;
+pub mod pin;
 pub mod reset;
 
 use core::ptr::addr_of_mut;
@@ -16,7 +17,7 @@ use defmt_rtt as _;
 use embassy_executor::InterruptExecutor;
 use embassy_rp::adc::{self, Adc, Channel};
 use embassy_rp::flash::Flash;
-use embassy_rp::gpio::{Input, Output};
+use embassy_rp::gpio::Output;
 use embassy_rp::interrupt;
 use embassy_rp::interrupt::{InterruptExt, Priority};
 use embassy_rp::watchdog::Watchdog;
@@ -39,6 +40,7 @@ use crate::scan::{Board, Changes, Controller, STANDSTILL, Stop, snapshot};
 use crate::store::{SILENCE_MS, keep};
 use crate::vitals::{Pulse, Task};
 use flash::StoreFlash;
+use pin::DigitalInput;
 
 /// A task as it is; in an image with the feature `hang`, one that hangs when a test tells it to.
 macro_rules! hangable {
@@ -85,7 +87,7 @@ type PicoController = Controller<
     'static,
     ThisProgram,
     &'static mut Storage,
-    Input<'static>,
+    DigitalInput,
     Voltmeter,
     Output<'static>,
     Pico,
