@@ -11,8 +11,8 @@ pub const SAMPLE_US: u32 = 1000;
 /// longer than the filter time but shorter than the scan period is not lost; of several within one period the scan sees
 /// one.
 ///
-/// A pin that cannot tell whether it has changed between two samples is taken not to have. For it, when samples fail to
-/// come for 1 ms more than the filter time, what they last showed is forgotten: two short pulses are not taken for one
+/// A pin that cannot tell whether it has changed between two samples is taken not to have, unless samples fail to come
+/// for 1 ms more than the filter time. Then what they last showed is forgotten: two short pulses are not taken for one
 /// long level.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Filter {
@@ -42,17 +42,18 @@ impl Filter {
         }
     }
 
-    /// Takes a sample, of a pin that has `changed` since the one before or not. Times are in µs on a clock that may wrap
+    /// Takes a sample, of a pin that has `changed` since the one before or not, or cannot tell. Times are in µs on a clock that may wrap
     /// around.
-    pub fn sample(&mut self, level: bool, changed: bool, now_us: u32) {
+    pub fn sample(&mut self, level: bool, changed: Option<bool>, now_us: u32) {
         let gap = now_us.wrapping_sub(self.sampled_at);
         self.sampled_at = now_us;
         if level == self.level {
             self.differs_since = None;
             return;
         }
+        let changed = changed.unwrap_or(gap > self.time_us + SAMPLE_US);
         let since = match self.differs_since {
-            Some(since) if !changed && gap <= self.time_us + SAMPLE_US => since,
+            Some(since) if !changed => since,
             _ => now_us,
         };
         if now_us.wrapping_sub(since) >= self.time_us {

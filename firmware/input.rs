@@ -15,9 +15,9 @@ const SAMPLE: Duration = Duration::from_micros(SAMPLE_US as u64);
 
 /// A pin that a filter can follow.
 pub trait Latched: InputPin {
-    /// Whether its level has changed since this was last asked, however short it was another one; False for a pin that
+    /// Whether its level has changed since this was last asked, however short it was another one; none for a pin that
     /// cannot tell.
-    fn take_changed(&mut self) -> bool;
+    fn take_changed(&mut self) -> Option<bool>;
 }
 
 /// The inputs of the program on their pins: N Booleans and A numbers.

@@ -21,7 +21,7 @@ fn seen(filter_ms: u16, phase_us: u32, stretches: &[(u32, u32)], until_us: u32) 
         let edges = stretches.iter().flat_map(|(from, to)| [*from, *to]);
         let changed = edges.into_iter().any(|edge| last < edge && edge <= at);
         last = at;
-        filter.sample(level(at), changed, start.wrapping_add(at));
+        filter.sample(level(at), Some(changed), start.wrapping_add(at));
         samples += 1;
         if samples % 10 == 0 {
             seen.push(filter.read());
@@ -58,11 +58,11 @@ fn a_pulse_longer_than_the_filter_and_shorter_than_the_scan_period_is_seen_once(
 #[test]
 fn two_glimpses_with_a_long_gap_between_are_not_one_long_level() {
     let mut filter = Filter::new(5, false, 0);
-    filter.sample(true, false, 1_000);
-    filter.sample(true, false, 46_000);
+    filter.sample(true, None, 1_000);
+    filter.sample(true, None, 46_000);
     assert!(!filter.read());
-    filter.sample(true, false, 47_000);
-    filter.sample(true, false, 52_000);
+    filter.sample(true, None, 47_000);
+    filter.sample(true, None, 52_000);
     assert!(filter.read());
 }
 
@@ -85,6 +85,36 @@ proptest! {
         }
         let seen = seen(filter_ms, phase_us, &stretches, at + 100_000);
         prop_assert!(seen.iter().all(|level| !level), "{stretches:?}");
+    }
+
+    #[test]
+    fn samples_may_fail_to_come_where_the_pin_tells_of_its_edges(
+        filter_ms in 1..20_u16,
+        gaps in proptest::collection::vec(1..30_000_u32, 1..200),
+        lengths in proptest::collection::vec(1..60_000_u32, 1..60),
+    ) {
+        let filter_us = u32::from(filter_ms) * 1000;
+        let mut edges = Vec::new();
+        lengths.iter().fold(0, |at, length| { edges.push(at + length); at + length });
+        let mut filter = Filter::new(filter_ms, false, 0);
+        let (mut last, mut accepted) = (0, false);
+        for gap in gaps {
+            let at = last + gap;
+            let passed = edges.partition_point(|edge| *edge <= at);
+            let level = passed % 2 == 1;
+            let changed = edges.iter().any(|edge| last < *edge && *edge <= at);
+            filter.sample(level, Some(changed), at);
+            let lasts = at - passed.checked_sub(1).map_or(0, |edge| edges[edge]);
+            // Two gaps at most, before the first sample that shows it and before the one that is late enough.
+            if filter.read() != accepted {
+                accepted = level;
+                prop_assert!(lasts >= filter_us, "{lasts} us");
+            }
+            if level != accepted {
+                prop_assert!(lasts < filter_us + 2 * 30_000, "{lasts} us");
+            }
+            last = at;
+        }
     }
 
     #[test]

@@ -177,6 +177,24 @@ fn a_pulse_between_two_scans_is_seen_if_it_is_longer_than_the_filter() {
 }
 
 #[test]
+fn a_level_longer_by_two_slow_scans_is_always_seen() {
+    const FILTER_MS: u16 = 7;
+    for (from, cost_ms) in (100..120).flat_map(|from| [(from, 3), (from, 6)]) {
+        let costs: [fn(usize) -> u64; 2] = [|_| 3, |_| 6];
+        let to = from + u64::from(FILTER_MS) + 2 + 2 * cost_ms;
+        let seen = run(&Case {
+            filter_ms: FILTER_MS,
+            cost_ms: costs[cost_ms as usize / 3 - 1],
+            levels: Box::leak(Box::new([(from, true), (to, false)])),
+            until_ms: 300,
+            ..CASE
+        });
+        let changes = Seen::changes(&seen.run);
+        assert_eq!(changes.len(), 4, "from {from} to {to}: {changes:?}");
+    }
+}
+
+#[test]
 fn an_input_that_is_active_low_is_true_at_ground() {
     let seen = run(&Case {
         active_low: true,

@@ -38,9 +38,8 @@ impl InputPin for Input<'_> {
 }
 
 impl Latched for Input<'_> {
-    /// Nobody changes a level twice between two samples: the machine moves once for each scan.
-    fn take_changed(&mut self) -> bool {
-        false
+    fn take_changed(&mut self) -> Option<bool> {
+        None
     }
 }
 

@@ -33,13 +33,13 @@ impl DigitalInput {
 }
 
 impl Latched for DigitalInput {
-    fn take_changed(&mut self) -> bool {
+    fn take_changed(&mut self) -> Option<bool> {
         let latches = pac::IO_BANK0.intr(self.register % 4);
         let changed = latches.read().0 & self.edges != 0;
         if changed {
             latches.write_value(Int(self.edges));
         }
-        changed
+        Some(changed)
     }
 }
 
