@@ -207,6 +207,7 @@ pub(crate) fn log_error<E>(error: &Error<E>) {
         Error::Area => "its area is not four whole sectors",
         Error::TooLong => "the record is too long",
         Error::Unreadable => "what was written cannot be read",
+        Error::NoStock => "no erased sector is left",
     };
     fault!("retain store: {}", reason);
 }

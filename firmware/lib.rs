@@ -7,7 +7,8 @@
 //! - [`scan`]: sample, scan, write, at every release of the [`schedule`];
 //! - [`input`] and [`filter`], [`output`]: pins to images and back, with filters, active levels and safe states;
 //! - [`analogue`] and [`scale`]: voltages to numbers;
-//! - [`retain`] and [`record`]: retained values in flash, and [`store`]: the task that puts them there;
+//! - [`retain`] and [`record`]: retained values in flash, and [`store`]: the task that puts them there, within the
+//!   [`budget`]; [`link`]: what it and the scan tell each other;
 //! - [`vitals`]: who is alive, and who hung;
 //! - [`log`]: what it says about itself;
 //! - [`wiring`]: what hangs on which pin;
@@ -46,8 +47,10 @@ pub mod application {
 pub mod analogue;
 pub mod boards;
 pub mod boot;
+pub mod budget;
 pub mod filter;
 pub mod input;
+pub mod link;
 pub mod log;
 pub mod output;
 pub mod record;

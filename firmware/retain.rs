@@ -1,28 +1,38 @@
 //! The retain store: what survives power, in flash.
 //!
-//! All retained variables and parameters are one record, stored when one of them changes and only then. The area is
-//! two halves, each a `sequential-storage` map with one key. A record goes to the half that does not hold the newest
-//! one, and is read back. So whatever a power cut leaves of it - half a program cycle, half an erase - the other half
-//! still holds the last good record: after a cut there is the old record or the new one, all of it or none.
+//! All retained variables and parameters are one [record](crate::record), stored when one of them changes and only then.
+//! The area is a ring of sectors. Records are written one behind the other, each where the flash is erased; the newest
+//! one that is whole holds. Its check sum tells whether it is: whatever a power cut leaves of a record, the one before
+//! is still there. After a cut there is the old record or the new one, all of it or none.
 //!
-//! On an RP2040 no code runs from flash while it is programmed (0.4 ms for a record, two or three times) or erased
-//! (45 ms for a sector, once in as many records as a sector holds). A scan that is due meanwhile is late; an erase
-//! makes it overrun, which is counted.
+//! On an RP2040 no code runs from flash while a page is programmed (0.4 ms typically, 3 ms at most) or a sector erased
+//! (45 ms, 400 ms at most). So a record that fits into a page never crosses from one into the next: it is one program. A
+//! longer one begins with a page, and is programmed page by page; between two of them a scan can run. Nothing is erased
+//! to write a record: erased sectors are kept in stock, and erasing is left to the moments that the caller chooses.
+//!
+//! Seen from the sector that is written to, the ring is: the stock, erased; sectors that are spent, whose records nobody
+//! needs; and the sector before, which is kept because it may hold the record before the newest. Should the newest
+//! one be damaged, that one holds.
+//!
+//! `sequential-storage` was used here before. It erases when it writes, with no way to do so ahead (its issue 80), and
+//! programs two or three times for an item.
 
 use core::ops::Range;
 
 use embedded_storage_async::nor_flash::NorFlash;
-use sequential_storage::cache::{Cache, CacheImpl};
-use sequential_storage::map::{MapConfig, MapStorage};
 
-use crate::log::fault;
-use crate::record::{Record, Values};
+use crate::budget::GRAIN;
+use crate::record::{HEADER, Header, LONGEST_RECORD, Record, Values};
 
-/// The longest record that is stored or read, in bytes. About ten bytes are needed for each retained value.
-pub const LONGEST_RECORD: usize = 4000;
+/// What is programmed at once, in bytes. Sectors are whole pages.
+pub const PAGE: usize = 256;
 
-/// The only key in either map.
-const KEY: u8 = 1;
+/// The fewest sectors: one to write to, the one before, and two in stock, so that one can be erased while there is
+/// another.
+pub const FEWEST_SECTORS: usize = 4;
+
+/// How many places are tried for a record that cannot be read where it was written.
+const ATTEMPTS: usize = 3;
 
 /// Why the store could not do what it was asked.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -34,110 +44,174 @@ pub enum Error<E> {
     Area,
     /// More values than a record can hold.
     TooLong,
-    /// What was written reads otherwise, even after the half was formatted.
+    /// What was written reads otherwise, in several places.
     Unreadable,
-}
-
-/// One of the two halves of the area.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Half {
-    Lower,
-    Upper,
-}
-
-impl Half {
-    const BOTH: [Half; 2] = [Half::Lower, Half::Upper];
-
-    fn other(self) -> Half {
-        match self {
-            Half::Lower => Half::Upper,
-            Half::Upper => Half::Lower,
-        }
-    }
+    /// No sector in stock: one has to be erased before the record can be written.
+    NoStock,
 }
 
 /// The retain area of a flash.
 pub struct Store<F> {
     flash: F,
     area: Range<u32>,
-    /// Which half holds the newest record, and its sequence number.
-    newest: Option<(Half, u32)>,
-    /// Halves that were formatted because they could not be read, since start.
-    formatted: u32,
+    /// Where the newest record stands, and how it begins.
+    newest: Option<(usize, Header)>,
+    /// The sector that is written to.
+    active: usize,
+    /// Where in it the next record may stand.
+    next: usize,
+    /// How many sectors behind it are known to be erased.
+    stock: usize,
+    /// Grains of flash used since [`Store::load`].
+    used: u32,
     buffer: [u8; LONGEST_RECORD],
 }
 
 impl<F: NorFlash> Store<F> {
+    const SECTOR: usize = F::ERASE_SIZE;
+
     /// A store in an area of byte offsets: whole sectors, at least four of them. [`Store::load`] comes first.
     pub const fn new(flash: F, area: Range<u32>) -> Self {
         Store {
             flash,
             area,
             newest: None,
-            formatted: 0,
+            active: 0,
+            next: 0,
+            stock: 0,
+            used: 0,
             buffer: [0; LONGEST_RECORD],
         }
     }
 
-    /// The newest good record, if there is one. A half that cannot be read is formatted.
+    /// The newest whole record, if there is one. Nothing is changed in the flash.
     ///
     /// # Errors
     /// When the flash fails, or the area is none.
     pub async fn load(&mut self) -> Result<Option<Record<'_>>, Error<F::Error>> {
+        self.check_area()?;
         self.newest = None;
-        for half in Half::BOTH {
-            let sequence = self.sequence(half).await?;
-            self.newest = match (self.newest, sequence) {
-                (newest, None) => newest,
-                (Some((_, newest)), Some(sequence)) if !is_newer(sequence, newest) => self.newest,
-                (_, Some(sequence)) => Some((half, sequence)),
-            };
+        let mut blank = 0_u64;
+        for sector in 0..self.sectors() {
+            if self.find_newest(sector).await? {
+                blank |= bit(sector);
+            }
         }
-        let Some((half, _)) = self.newest else {
+        self.active = self.newest.map_or(0, |(at, _)| at / Self::SECTOR);
+        self.next = self.end_of_sector(self.active).await?;
+        self.stock = 0;
+        while self.stock < self.most_stock() && blank & bit(self.ahead(self.stock + 1)) != 0 {
+            self.stock += 1;
+        }
+        let Some((at, header)) = self.newest else {
             return Ok(None);
         };
-        let range = self.range(half);
-        let mut map = map(&mut self.flash, range)?;
-        match map.fetch_item(&mut self.buffer, &KEY).await {
-            Ok(record) => Ok(record),
-            Err(sequential_storage::Error::Storage { value, .. }) => Err(Error::Flash(value)),
-            Err(_) => Err(Error::Unreadable),
-        }
+        let length = header.record_length().unwrap_or(HEADER);
+        let record = self.buffer.get_mut(..length).ok_or(Error::TooLong)?;
+        let place = offset(&self.area, at);
+        self.flash.read(place, record).await.map_err(Error::Flash)?;
+        Ok(Some(Record {
+            sequence: header.sequence,
+            fingerprint: header.fingerprint,
+            credit: header.credit,
+            values: Values::Stored(record.get(HEADER..).unwrap_or_default()),
+        }))
     }
 
-    /// Stores a record of these values as the newest one. It is in flash when this returns.
+    /// Stores a record of these values as the newest one. It is in flash when this returns. `credit` is what may still
+    /// be written before it.
     ///
     /// The future must be polled to its end: a write that is dropped half-way is a power cut.
     ///
     /// # Errors
-    /// When the record is too long or the flash fails. The record before is then still the newest.
+    /// When the record is too long, there is no place for it, or the flash fails. The record before is then still the
+    /// newest.
     pub async fn save(
         &mut self,
         fingerprint: u32,
         values: Values<'_>,
+        credit: u16,
     ) -> Result<(), Error<F::Error>> {
-        let (half, sequence) = match self.newest {
-            Some((half, sequence)) => (half.other(), sequence.wrapping_add(1)),
-            None => (Half::Lower, 0),
+        self.check_area()?;
+        let sequence = match &self.newest {
+            Some((_, newest)) => newest.sequence.wrapping_add(1),
+            None => 0,
         };
-        let record = Record {
-            sequence,
-            fingerprint,
-            values,
-        };
-        // A flash may refuse to program what is not erased where it should be.
-        let written = match self.write(half, &record).await {
-            Err(Error::Flash(_)) => false,
-            written => written?,
-        };
-        if !written {
-            self.format(half).await?;
-            if !self.write(half, &record).await? {
-                return Err(Error::Unreadable);
+        let used = self.used;
+        for _ in 0..ATTEMPTS {
+            let paid = u16::try_from(self.used.wrapping_sub(used)).unwrap_or(u16::MAX);
+            let record = Record {
+                sequence,
+                fingerprint,
+                credit: credit.saturating_sub(paid),
+                values,
+            };
+            let length = record.encode(&mut self.buffer).ok_or(Error::TooLong)?;
+            let at = self.take_place(length)?;
+            self.program(at, length).await?;
+            if let Some(header) = self.read_back(at, length).await? {
+                self.newest = Some((at, header));
+                return Ok(());
             }
         }
-        self.newest = Some((half, sequence));
-        Ok(())
+        Err(Error::Unreadable)
+    }
+
+    /// Takes the next sector that is spent into the stock: erases it, unless it is erased. False when there is none.
+    ///
+    /// Whether the flash did erase it shows when a record is written there and read back.
+    ///
+    /// # Errors
+    /// When the flash fails, or the area is none.
+    pub async fn erase_spent(&mut self) -> Result<bool, Error<F::Error>> {
+        self.check_area()?;
+        if self.spent() == 0 {
+            return Ok(false);
+        }
+        let sector = self.ahead(self.stock + 1);
+        if !self.is_blank(sector).await? {
+            let start = offset(&self.area, sector * Self::SECTOR);
+            let end = start.saturating_add(Self::SECTOR as u32);
+            self.flash.erase(start, end).await.map_err(Error::Flash)?;
+        }
+        self.stock += 1;
+        Ok(true)
+    }
+
+    /// How many sectors are erased and not written to yet.
+    #[must_use]
+    pub fn stock(&self) -> usize {
+        self.stock
+    }
+
+    /// The largest stock that there can be.
+    #[must_use]
+    pub fn most_stock(&self) -> usize {
+        self.sectors().saturating_sub(2)
+    }
+
+    /// How many sectors can be taken into the stock.
+    #[must_use]
+    pub fn spent(&self) -> usize {
+        self.most_stock().saturating_sub(self.stock)
+    }
+
+    /// Grains of flash used since [`Store::load`], left out ones too. Wraps around.
+    #[must_use]
+    pub fn used(&self) -> u32 {
+        self.used
+    }
+
+    /// The size of the area in bytes.
+    #[must_use]
+    pub fn area(&self) -> usize {
+        self.area.len()
+    }
+
+    /// What the newest record says may still be written.
+    #[must_use]
+    pub fn credit(&self) -> Option<u16> {
+        self.newest.map(|(_, header)| header.credit)
     }
 
     /// Gives the flash back.
@@ -145,73 +219,180 @@ impl<F: NorFlash> Store<F> {
         self.flash
     }
 
-    /// The sequence number of the record in a half. A half that is no map any more is formatted and has none.
-    async fn sequence(&mut self, half: Half) -> Result<Option<u32>, Error<F::Error>> {
-        let range = self.range(half);
-        let mut map = map(&mut self.flash, range)?;
-        let record = map.fetch_item::<Record<'_>>(&mut self.buffer, &KEY).await;
-        match record.map(|record| record.map(|record| record.sequence)) {
-            Ok(sequence) => Ok(sequence),
-            Err(sequential_storage::Error::Storage { value, .. }) => Err(Error::Flash(value)),
-            Err(_) => {
-                self.format(half).await?;
-                Ok(None)
+    fn check_area(&self) -> Result<(), Error<F::Error>> {
+        let whole = |bytes: usize| bytes.is_multiple_of(Self::SECTOR);
+        let fits = whole(self.area.start as usize)
+            && whole(self.area.len())
+            && Self::SECTOR.is_multiple_of(PAGE)
+            && self.sectors() >= FEWEST_SECTORS;
+        if fits { Ok(()) } else { Err(Error::Area) }
+    }
+
+    fn sectors(&self) -> usize {
+        self.area.len() / Self::SECTOR
+    }
+
+    /// The sector so many places behind the active one, in the ring.
+    fn ahead(&self, places: usize) -> usize {
+        let sector = self.active + places;
+        sector.checked_rem(self.sectors()).unwrap_or(0)
+    }
+
+    /// Looks for whole records in a sector that are newer than the newest one. True when the sector is erased.
+    async fn find_newest(&mut self, sector: usize) -> Result<bool, Error<F::Error>> {
+        let mut page = [0; PAGE];
+        let mut at = 0;
+        let mut blank = true;
+        while at < Self::SECTOR {
+            let inside = at % PAGE;
+            let start = sector * Self::SECTOR + at;
+            self.read_page(start - inside, &mut page).await?;
+            let rest = page.get(inside..).unwrap_or_default();
+            if is_erased(rest) {
+                at += PAGE - inside;
+                continue;
             }
+            blank = false;
+            at += match rest.first_chunk().map(Header::read) {
+                Some(header) => self.look_at(start, header).await?,
+                None => GRAIN,
+            };
+        }
+        Ok(blank)
+    }
+
+    /// Looks at what may be a record. The answer is how many bytes it takes.
+    async fn look_at(&mut self, at: usize, header: Header) -> Result<usize, Error<F::Error>> {
+        match header.record_length() {
+            Some(length) if self.is_whole(at, header, length).await? => {
+                let newest = self.newest.as_ref();
+                if newest.is_none_or(|(_, newest)| is_newer(header.sequence, newest.sequence)) {
+                    self.newest = Some((at, header));
+                }
+                Ok(length.next_multiple_of(GRAIN))
+            }
+            _ => Ok(GRAIN),
         }
     }
 
-    /// Writes a record and reads it back. False when the half has to be formatted first.
-    async fn write(&mut self, half: Half, record: &Record<'_>) -> Result<bool, Error<F::Error>> {
-        use sequential_storage::Error as MapError;
-
-        let range = self.range(half);
-        let mut map = map(&mut self.flash, range)?;
-        match map.store_item(&mut self.buffer, &KEY, record).await {
-            Ok(()) => {}
-            Err(MapError::Storage { value, .. }) => return Err(Error::Flash(value)),
-            Err(MapError::ItemTooBig | MapError::SerializationError(_)) => {
-                return Err(Error::TooLong);
-            }
-            Err(_) => return Ok(false),
+    /// Whether a record that seems to begin here stands where one can, and is as it was written.
+    async fn is_whole(
+        &mut self,
+        at: usize,
+        header: Header,
+        length: usize,
+    ) -> Result<bool, Error<F::Error>> {
+        let page = if length <= PAGE { PAGE } else { Self::SECTOR };
+        let begins_a_page = at.is_multiple_of(PAGE);
+        if (length > PAGE && !begins_a_page) || at % page + length > page {
+            return Ok(false);
         }
-        match map.fetch_item::<Record<'_>>(&mut self.buffer, &KEY).await {
-            Ok(read) => Ok(read.is_some_and(|read| read == *record)),
-            Err(MapError::Storage { value, .. }) => Err(Error::Flash(value)),
-            Err(_) => Ok(false),
+        let mut check = header.check();
+        let mut part = [0; 4 * GRAIN];
+        let mut done = HEADER;
+        while done < length {
+            let wanted = (length - done).min(part.len());
+            let bytes = part.get_mut(..wanted).unwrap_or_default();
+            let place = offset(&self.area, at + done);
+            self.flash.read(place, bytes).await.map_err(Error::Flash)?;
+            check.add(bytes);
+            done += wanted;
         }
+        Ok(check.holds())
     }
 
-    /// Erases a half, a sector at a time: between two sectors a scan can run.
-    async fn format(&mut self, half: Half) -> Result<(), Error<F::Error>> {
-        self.formatted = self.formatted.saturating_add(1);
-        fault!(
-            "retain store: unreadable half of the area formatted ({} since start)",
-            self.formatted
-        );
-        for start in self.range(half).step_by(F::ERASE_SIZE) {
-            let end = start.saturating_add(F::ERASE_SIZE as u32);
-            self.flash.erase(start, end).await.map_err(Error::Flash)?;
+    /// Where nothing has been written yet in a sector, and nothing behind.
+    async fn end_of_sector(&mut self, sector: usize) -> Result<usize, Error<F::Error>> {
+        let mut page = [0; PAGE];
+        let mut end = Self::SECTOR;
+        while end > 0 {
+            let start = end - PAGE;
+            self.read_page(sector * Self::SECTOR + start, &mut page)
+                .await?;
+            if let Some(last) = page.iter().rposition(|byte| *byte != ERASED) {
+                return Ok(start + (last + 1).next_multiple_of(GRAIN));
+            }
+            end = start;
+        }
+        Ok(0)
+    }
+
+    async fn is_blank(&mut self, sector: usize) -> Result<bool, Error<F::Error>> {
+        Ok(self.end_of_sector(sector).await? == 0)
+    }
+
+    async fn read_page(&mut self, at: usize, page: &mut [u8; PAGE]) -> Result<(), Error<F::Error>> {
+        let place = offset(&self.area, at);
+        self.flash.read(place, page).await.map_err(Error::Flash)
+    }
+
+    /// Takes the next place for a record of that length. Whatever becomes of it, nothing else will be written there.
+    fn take_place(&mut self, length: usize) -> Result<usize, Error<F::Error>> {
+        if length > Self::SECTOR {
+            return Err(Error::TooLong);
+        }
+        let mut start = self.next;
+        if !start.is_multiple_of(PAGE) && start % PAGE + length > PAGE {
+            start = start.next_multiple_of(PAGE);
+        }
+        let mut left_out = start - self.next;
+        if start + length > Self::SECTOR {
+            self.stock = self.stock.checked_sub(1).ok_or(Error::NoStock)?;
+            left_out = Self::SECTOR - self.next;
+            self.active = self.ahead(1);
+            start = 0;
+        }
+        let taken = length.next_multiple_of(GRAIN);
+        self.next = start + taken;
+        self.used = self.used.wrapping_add(((left_out + taken) / GRAIN) as u32);
+        Ok(self.active * Self::SECTOR + start)
+    }
+
+    /// Programs the first bytes of the buffer, a page at a time: between two of them a scan can run.
+    async fn program(&mut self, at: usize, length: usize) -> Result<(), Error<F::Error>> {
+        let record = self.buffer.get(..length).unwrap_or_default();
+        for (number, page) in record.chunks(PAGE).enumerate() {
+            let place = offset(&self.area, at + number * PAGE);
+            self.flash.write(place, page).await.map_err(Error::Flash)?;
         }
         Ok(())
     }
 
-    fn range(&self, half: Half) -> Range<u32> {
-        let sectors = self.area.len() / F::ERASE_SIZE / 2;
-        let middle = self.area.start + (sectors * F::ERASE_SIZE) as u32;
-        match half {
-            Half::Lower => self.area.start..middle,
-            Half::Upper => middle..self.area.end,
+    /// How the record in the buffer begins, if it stands there.
+    async fn read_back(
+        &mut self,
+        at: usize,
+        length: usize,
+    ) -> Result<Option<Header>, Error<F::Error>> {
+        let record = self.buffer.get(..length).unwrap_or_default();
+        let mut part = [0; 4 * GRAIN];
+        for (number, wanted) in record.chunks(part.len()).enumerate() {
+            let place = offset(&self.area, at + number * part.len());
+            let bytes = part.get_mut(..wanted.len()).unwrap_or_default();
+            self.flash.read(place, bytes).await.map_err(Error::Flash)?;
+            if bytes != wanted {
+                return Ok(None);
+            }
         }
+        Ok(record.first_chunk().map(Header::read))
     }
 }
 
-/// A map over a part of the flash, which has to be two whole sectors at least.
-fn map<F: NorFlash>(
-    flash: &mut F,
-    range: Range<u32>,
-) -> Result<MapStorage<u8, &mut F, impl CacheImpl<u8> + use<F>>, Error<F::Error>> {
-    let config = MapConfig::try_new(range).map_err(|_| Error::Area)?;
-    Ok(MapStorage::new(flash, config, Cache::new_uncached()))
+/// A sector in a set of sectors. Those beyond 64 are in none: they are looked at when they are needed.
+fn bit(sector: usize) -> u64 {
+    u32::try_from(sector).map_or(0, |sector| 1_u64.checked_shl(sector).unwrap_or(0))
+}
+
+/// How an erased byte reads.
+const ERASED: u8 = 0xff;
+
+fn is_erased(bytes: &[u8]) -> bool {
+    bytes.iter().all(|byte| *byte == ERASED)
+}
+
+/// The place in the flash of a place in the area.
+fn offset(area: &Range<u32>, at: usize) -> u32 {
+    area.start.saturating_add(at as u32)
 }
 
 /// Whether a sequence number was given after another one, across a wrap-around.

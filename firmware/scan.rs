@@ -1,7 +1,5 @@
 //! The scan task: sample, scan, write, at every release.
 
-use embassy_sync::blocking_mutex::raw::CriticalSectionRawMutex;
-use embassy_sync::signal::Signal;
 use embassy_time::{Duration, Instant, Timer};
 use embedded_hal::digital::OutputPin;
 use grafcet_core::engine::Engine;
@@ -11,15 +9,12 @@ use grafcet_core::program::Compiled;
 use crate::analogue::Converter;
 use crate::boot::Cause;
 use crate::input::{Inputs, Latched};
+use crate::link::Link;
 use crate::log::{Observer, fault};
 use crate::output::Outputs;
 use crate::schedule::{LATEST, Schedule, Served};
 use crate::vitals::{Pulse, Task};
 use crate::wiring::{Overload, Policy};
-
-/// The newest values of everything retained, on their way to the store. A newer snapshot takes the place of one that
-/// has not been fetched, so that the scan never waits for the flash.
-pub type Changes<const R: usize> = Signal<CriticalSectionRawMutex, [i32; R]>;
 
 /// What is special to a board in a scan.
 pub trait Board {
@@ -84,7 +79,7 @@ pub struct Controller<
     /// The board.
     pub board: B,
     /// Where changed retained values go.
-    pub changes: &'a Changes<R>,
+    pub link: &'a Link<R>,
     /// The tasks below the scan, each with its sign of life.
     pub watched: &'a [Pulse],
     /// When scans take too long too often, and what is done about it.
@@ -112,10 +107,12 @@ where
         let mut overloaded = false;
         self.board.begin();
         self.inputs.read(&mut self.engine);
+        self.link.sample(&mut self.engine);
         self.engine.start();
         self.finish(&mut retained);
         self.board.complete(&self.engine);
         log_missed(schedule.complete(Instant::now()), &schedule);
+        self.link.lease(&self.engine, schedule.release());
         loop {
             self.inputs.watch_until(schedule.release()).await;
             self.board.begin();
@@ -123,6 +120,7 @@ where
             log_served(&served, &schedule);
             self.engine.set_overruns(schedule.faults().overruns);
             self.inputs.read(&mut self.engine);
+            self.link.sample(&mut self.engine);
             if self.engine.scan(served.time_ms) {
                 self.finish(&mut retained);
             }
@@ -140,6 +138,7 @@ where
                 Timer::at(Instant::now().saturating_add(STANDSTILL)).await;
                 return Stop::Overload;
             }
+            self.link.lease(&self.engine, schedule.release());
         }
     }
 
@@ -149,7 +148,7 @@ where
         let values = snapshot(&self.engine);
         if values != *retained {
             *retained = values;
-            self.changes.signal(values);
+            self.link.hand(values);
         }
         self.observer.observe(&self.engine);
     }

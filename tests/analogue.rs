@@ -15,10 +15,11 @@ use plc::analogue::{Analogue, Converter};
 use plc::boards::host::clock::{simulate, work};
 use plc::boards::host::pins::{Input, Output};
 use plc::input::Inputs;
+use plc::link::{Link, Wires};
 use plc::log::Observer;
 use plc::output::Outputs;
 use plc::scale::Scale;
-use plc::scan::{Board, Changes, Controller};
+use plc::scan::{Board, Controller};
 use plc::wiring::{AnalogueWire, Overload, Policy};
 use support::program::{Leaked, program};
 
@@ -85,7 +86,8 @@ fn run(
         scale,
         filter_ms,
     }]));
-    let (seen, faults, changes) = (RefCell::default(), Cell::new(0), Changes::<0>::new());
+    let (seen, faults) = (RefCell::default(), Cell::new(0));
+    let link = Link::<0>::new(Wires::default());
     simulate(async {
         let mut controller = Controller {
             engine: tank.engine(),
@@ -100,7 +102,7 @@ fn run(
                 seen: &seen,
                 faults: &faults,
             },
-            changes: &changes,
+            link: &link,
             watched: &[],
             overload: Overload {
                 policy: Policy::KeepRunning,

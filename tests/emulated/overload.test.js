@@ -67,7 +67,7 @@ test('an overload that lasts stops the program again and again, safe in between'
   pico.setInput(HEAVY, 1);
   for (let start = 1; start <= 3; start++) {
     untilStartedAgain(pico, 3000);
-    pico.runFor(5);
+    pico.runFor(20);
   }
   assert.deepEqual(causes(pico), ['power-on', 'overload', 'overload', 'overload']);
 });

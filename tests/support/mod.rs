@@ -8,4 +8,5 @@
 
 pub mod nor;
 pub mod program;
+pub mod records;
 pub mod task;

@@ -21,20 +21,36 @@ pub struct Nor<const SECTOR: usize> {
     pub bytes: Vec<u8>,
     /// Sectors erased so far.
     pub erased: usize,
+    /// How often each sector was erased.
+    pub wear: Vec<usize>,
     /// Programming operations so far.
     pub programmed: usize,
+    /// Everything that has been done since power came, finished or not.
+    pub done: Vec<Operation>,
     cut: Option<(usize, Tear)>,
     off: bool,
 }
+
+/// Something that takes the flash some time.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Operation {
+    /// So many bytes were programmed.
+    Program(usize),
+    /// A sector of so many bytes was erased.
+    Erase(usize),
+}
+
+/// What is programmed at once.
+const PAGE: usize = 256;
 
 /// Why the model refuses.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Refusal {
     /// The power is off.
     Off,
-    /// Outside the flash, or not whole sectors.
+    /// Outside the flash, not whole sectors, or more than a page.
     Range,
-    /// A bit that is 0 was to become 1 without an erase.
+    /// A byte was to be programmed that is not erased.
     NotErased,
 }
 
@@ -47,15 +63,17 @@ impl<const SECTOR: usize> Nor<SECTOR> {
     /// A flash with this content.
     pub fn holding(bytes: Vec<u8>) -> Self {
         Nor {
+            wear: vec![0; bytes.len() / SECTOR],
             bytes,
             erased: 0,
             programmed: 0,
+            done: Vec::new(),
             cut: None,
             off: false,
         }
     }
 
-    /// Cuts the power once so many further bytes have been programmed or erased.
+    /// Cuts the power once so many further bytes have been programmed or erased, before anybody learns of the last.
     pub fn cut_after(mut self, bytes: usize, tear: Tear) -> Self {
         self.cut = Some((bytes, tear));
         self
@@ -65,6 +83,7 @@ impl<const SECTOR: usize> Nor<SECTOR> {
     pub fn power_on(mut self) -> Self {
         self.off = false;
         self.cut = None;
+        self.done.clear();
         self
     }
 
@@ -72,7 +91,7 @@ impl<const SECTOR: usize> Nor<SECTOR> {
     fn change(&mut self, range: Range<usize>, wanted: &[u8]) -> Result<(), Refusal> {
         let length = range.len();
         let tear = match &mut self.cut {
-            Some((left, tear)) if *left < length => Some((*left, *tear)),
+            Some((left, tear)) if *left <= length => Some((*left, *tear)),
             Some((left, _)) => {
                 *left -= length;
                 None
@@ -150,6 +169,8 @@ impl<const SECTOR: usize> NorFlash for Nor<SECTOR> {
         }
         for start in range.step_by(SECTOR) {
             self.erased += 1;
+            self.wear[start / SECTOR] += 1;
+            self.done.push(Operation::Erase(SECTOR));
             self.change(start..start + SECTOR, &[0xff; SECTOR])?;
         }
         Ok(())
@@ -157,18 +178,15 @@ impl<const SECTOR: usize> NorFlash for Nor<SECTOR> {
 
     async fn write(&mut self, offset: u32, bytes: &[u8]) -> Result<(), Refusal> {
         let range = self.range(offset, bytes.len())?;
-        let wanted: Vec<u8> = self.bytes[range.clone()]
-            .iter()
-            .zip(bytes)
-            .map(|(now, byte)| now & byte)
-            .collect();
-        // Hardware would quietly keep the zeros. Nothing here may rely on that: a torn page may not be trusted.
-        self.programmed += 1;
-        self.change(range, &wanted)?;
-        if wanted == bytes {
-            Ok(())
-        } else {
-            Err(Refusal::NotErased)
+        if bytes.is_empty() || range.start / PAGE != (range.end - 1) / PAGE {
+            return Err(Refusal::Range);
         }
+        // Hardware would quietly keep the zeros. Nothing here may rely on that: a torn page may not be trusted.
+        if self.bytes[range.clone()].iter().any(|byte| *byte != 0xff) {
+            return Err(Refusal::NotErased);
+        }
+        self.programmed += 1;
+        self.done.push(Operation::Program(bytes.len()));
+        self.change(range, bytes)
     }
 }

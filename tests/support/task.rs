@@ -14,9 +14,10 @@ use plc::boards::host::clock::{simulate, work};
 use plc::boards::host::lines::{Line, keep};
 use plc::boards::host::pins::{Input, Readings};
 use plc::input::Inputs;
+use plc::link::{Link, Wires};
 use plc::log::Observer;
 use plc::output::Outputs;
-use plc::scan::{Board, Changes, Controller, Stop};
+use plc::scan::{Board, Controller, Stop};
 use plc::vitals::{Pulse, Task};
 use plc::wiring::{InputWire, OutputWire, Overload, Policy};
 
@@ -181,7 +182,7 @@ pub fn run(case: &Case) -> Seen {
     ]));
     let level = Cell::new(case.active_low);
     let (scans, run, ready) = (RefCell::default(), RefCell::default(), RefCell::default());
-    let changes = Changes::new();
+    let link = Link::new(Wires::default());
     let (stopped, watched) = (Cell::new(None), [Pulse::new(Task::Store, 300)]);
     let (ended_ms, lines) = keep(|| {
         simulate(async {
@@ -194,7 +195,7 @@ pub fn run(case: &Case) -> Seen {
                     scans: &scans,
                     stopped: &stopped,
                 },
-                changes: &changes,
+                link: &link,
                 watched: &watched,
                 overload: case.overload,
                 observer: Observer::new(press.names),
@@ -236,7 +237,7 @@ pub fn run(case: &Case) -> Seen {
         run: run.into_inner(),
         ready: ready.into_inner(),
         lines,
-        changes: changes.try_take(),
+        changes: link.try_changed(),
         stop: stopped.get(),
         ended_ms,
     }

@@ -11,6 +11,7 @@ use crate::duration;
 use crate::file::{Overload, PlcFile};
 use crate::join::{Program, bad_scale, number_at_pin, report_twice};
 use crate::pins::Pins;
+use crate::retain::StoreWires;
 use crate::rule::{Diagnostic, Rule};
 use crate::side::Side;
 use crate::wire::{AnalogueInput, DigitalInput, InputEntry, OutputEntry};
@@ -34,6 +35,8 @@ pub struct Wiring {
     pub outputs: Vec<Connection<Bit, OutputEntry>>,
     /// Where retained values lie: byte offsets in flash, whole sectors.
     pub retain: Range<u32>,
+    /// What of the program the store of retained values is wired to.
+    pub store: StoreWires,
     /// Bytes of the longest record that the program's retained values can make.
     pub record_bytes: usize,
     /// Time in ms after which a scan that does not end resets the board.
@@ -73,8 +76,12 @@ pub fn check(
     };
     let mut program = Program {
         variables: &application.controller.symbols.variables,
+        elsewhere: file.retain.addresses().collect(),
         pins,
     };
+    let store = file
+        .retain
+        .join(program.variables, &file.inputs, &mut diagnostics);
     let joined = program.join(&file.inputs, input_pins, Side::Input, &mut diagnostics);
     let (mut inputs, mut analogue_inputs) = (Vec::new(), Vec::new());
     for joined in joined {
@@ -107,13 +114,14 @@ pub fn check(
     };
     let period_ms = application.controller.tables.period_ms;
     let watchdog_ms = watchdog(file, board, period_ms, &mut diagnostics);
-    let retain_bytes = file.retain_sectors * board.sector_bytes;
+    let retain_bytes = file.retain.sectors * board.sector_bytes;
     let wiring = Wiring {
         board,
         inputs,
         analogue_inputs,
         outputs,
         retain: board.flash_bytes - retain_bytes..board.flash_bytes,
+        store,
         record_bytes,
         watchdog_ms,
         overload: file.overload,
@@ -121,14 +129,15 @@ pub fn check(
     (diagnostics.is_empty().then_some(wiring), diagnostics)
 }
 
-/// Sequence and fingerprint, then key and value of each: variable-length integers of `postcard`.
+/// A header, then key and value of each: variable-length integers of `postcard`.
 fn longest_record(tables: &Tables) -> usize {
+    const HEADER: usize = 16;
     const LONGEST_INTEGER: usize = 5;
     let lengths = tables.retained.iter().map(|row| {
         let key_bits = (u32::BITS - row.key.leading_zeros()).max(1) as usize;
         key_bits.div_ceil(7) + LONGEST_INTEGER
     });
-    2 * LONGEST_INTEGER + lengths.sum::<usize>()
+    HEADER + lengths.sum::<usize>()
 }
 
 fn too_big(file: &PlcFile, application: &Application, bytes: usize) -> Diagnostic {

@@ -13,7 +13,7 @@ use crate::check::{Connection, Wiring};
 use crate::file::Policy;
 use crate::wire::{Active, AnalogueInput, DigitalInput, OutputEntry, Pull};
 
-/// `INPUTS`, `ANALOGUE_INPUTS`, `OUTPUTS`, `RETAIN`, `WATCHDOG_MS` and `OVERLOAD`: what the image is told on every machine.
+/// `INPUTS`, `ANALOGUE_INPUTS`, `OUTPUTS`, `RETAIN`, `STORE_WIRES`, `WATCHDOG_MS` and `OVERLOAD`: what the image is told on every machine.
 #[must_use]
 pub fn tables(wiring: &Wiring) -> TokenStream {
     let inputs = wiring.inputs.iter().map(input_wire);
@@ -24,6 +24,13 @@ pub fn tables(wiring: &Wiring) -> TokenStream {
         Literal::u32_unsuffixed(wiring.retain.start),
         Literal::u32_unsuffixed(wiring.retain.end),
     );
+    let [quiet, alarm] = [wiring.store.quiet, wiring.store.alarm].map(|end| match end {
+        Some(Bit(bit)) => {
+            let bit = Literal::u16_unsuffixed(bit);
+            quote!(Some(Bit(#bit)))
+        }
+        None => quote!(None),
+    });
     let record_bytes = Literal::usize_unsuffixed(wiring.record_bytes);
     let watchdog_ms = Literal::u32_unsuffixed(wiring.watchdog_ms);
     let overruns = Literal::u32_unsuffixed(wiring.overload.overruns);
@@ -44,7 +51,10 @@ pub fn tables(wiring: &Wiring) -> TokenStream {
         /// Where retained values lie: byte offsets in flash, whole sectors.
         pub const RETAIN: core::ops::Range<u32> = #start..#end;
 
-        const _: () = assert!(#record_bytes <= crate::retain::LONGEST_RECORD);
+        /// What of the program the store of retained values is wired to.
+        pub const STORE_WIRES: crate::link::Wires = crate::link::Wires { quiet: #quiet, alarm: #alarm };
+
+        const _: () = assert!(#record_bytes <= crate::record::LONGEST_RECORD);
 
         /// After so many ms without a completed scan the watchdog resets the board.
         pub const WATCHDOG_MS: u32 = #watchdog_ms;

@@ -7,16 +7,12 @@ use toml::de::{DeString, DeTable, DeValue};
 
 use crate::board::{BOARDS, Board};
 use crate::nearest::nearest;
+use crate::retain::{Retain, read_retain};
 use crate::rule::{Diagnostic, Rule};
 use crate::side::{Side, Use};
 use crate::syntax;
 use crate::table::{Placed, Report, Table, listed};
 use crate::wire::{InputEntry, OutputEntry, Wire, read_input, read_output};
-
-/// The sectors of the retain area when the file names none.
-pub const DEFAULT_SECTORS: u32 = 4;
-/// The store has two halves of at least two sectors each; more of them wear less.
-pub const SECTORS: std::ops::RangeInclusive<u32> = 4..=64;
 
 /// Overruns among the latest 100 scans that are an overload.
 pub const OVERRUNS: std::ops::RangeInclusive<u32> = 1..=100;
@@ -63,8 +59,8 @@ pub struct PlcFile {
     pub inputs: Section<InputEntry>,
     /// `[outputs]`.
     pub outputs: Section<OutputEntry>,
-    /// Sectors of the retain area.
-    pub retain_sectors: u32,
+    /// `[retain]`.
+    pub retain: Retain,
     /// Time in ms after which a scan that does not end resets the board, when the file sets it.
     pub watchdog_ms: Option<Placed<u32>>,
     /// What is an overload, and what is done about it.
@@ -133,18 +129,7 @@ fn read_tables(table: &Spanned<DeTable<'_>>, report: &mut Report) -> PlcFile {
     let board = read_board(&top, report);
     let inputs = read_section(&top, Side::Input, read_input, report);
     let outputs = read_section(&top, Side::Output, read_output, report);
-    let retain_sectors = top
-        .table("retain", "`[retain]`", report)
-        .and_then(|retain| {
-            retain.expect_keys(&["sectors"], report);
-            let sectors = retain.integer("sectors", SECTORS, "4", " sectors", report)?;
-            if !sectors.value.is_multiple_of(2) {
-                let message = "`sectors` is odd, and the retain area has two equal halves";
-                let help = format!("write `sectors = {}`", sectors.value + 1);
-                report.push(Diagnostic::new(Rule::OutOfRange, sectors.span, message).help(help));
-            }
-            Some(sectors)
-        });
+    let retain = read_retain(&top, report);
     let watchdog_ms = top
         .table("watchdog", "`[watchdog]`", report)
         .and_then(|watchdog| {
@@ -158,7 +143,7 @@ fn read_tables(table: &Spanned<DeTable<'_>>, report: &mut Report) -> PlcFile {
         board,
         inputs,
         outputs,
-        retain_sectors: retain_sectors.map_or(DEFAULT_SECTORS, |sectors| sectors.value),
+        retain,
         watchdog_ms,
         overload: read_overload(&top, report),
     }

@@ -16,6 +16,8 @@ use crate::wire::{AnalogueInput, RAW_SCALE, Wire};
 /// The program's side.
 pub(crate) struct Program<'a> {
     pub(crate) variables: &'a [VariableSymbol],
+    /// What needs no pin, being wired to something else.
+    pub(crate) elsewhere: Vec<Address>,
     pub(crate) pins: Pins,
 }
 
@@ -56,7 +58,7 @@ impl<'a> Program<'a> {
         };
         let open: Vec<_> = variables
             .iter()
-            .filter(|(address, _)| !wired(*address))
+            .filter(|(address, _)| !wired(*address) && !self.elsewhere.contains(address))
             .copied()
             .collect();
         let mut joined = Vec::new();

@@ -3,6 +3,7 @@
 //! - [`file`](mod@file): the file as it is written, each value with its place;
 //! - [`wire`]: one line of it, with what is particular to the kind of signal;
 //! - [`board`] and [`boards`]: what there is to wire;
+//! - [`retain`]: the flash of retained values, and what their store is wired to;
 //! - [`check`](mod@check): the file against its board and its program, which leaves a [`Wiring`];
 //! - [`load()`]: all of it, from a path;
 //! - [`emit`]: the wiring as Rust source and linker script, for `build.rs`;
@@ -22,6 +23,7 @@ mod join;
 mod load;
 mod nearest;
 mod pins;
+pub mod retain;
 pub mod rule;
 mod side;
 mod syntax;

@@ -23,15 +23,17 @@ use super::pins::{Input, Output, Readings};
 use super::script::{Next, Outcome};
 use crate::analogue::Analogue;
 use crate::application::{
-    ANALOGUE_INPUTS, INPUTS, NAMES, OUTPUTS, OVERLOAD, PROGRAM, RETAIN, Storage, ThisProgram,
+    ANALOGUE_INPUTS, INPUTS, NAMES, OUTPUTS, OVERLOAD, PROGRAM, RETAIN, STORE_WIRES, Storage,
+    ThisProgram,
 };
 use crate::boot::{Cause, boot};
 use crate::input::Inputs;
+use crate::link::Link;
 use crate::log::Observer;
 use crate::output::Outputs;
 use crate::retain::Store;
-use crate::scan::{Board, Changes, Controller, Stop, snapshot};
-use crate::store::{SILENCE_MS, keep};
+use crate::scan::{Board, Controller, Stop, snapshot};
+use crate::store::{SILENCE_MS, keep, prepare};
 use crate::vitals::{Pulse, Task};
 
 /// How long power stays away in a power cycle.
@@ -76,8 +78,9 @@ async fn start(board: SoftPlc<'_>, retain: &Path, cause: Cause) -> io::Result<Op
     let mut engine = Engine::new(ThisProgram, Storage::new());
     let mut store = Store::new(FlashFile::open(retain, RETAIN)?, RETAIN);
     boot(&mut engine, &NAMES, &mut store, cause).await;
+    prepare(&mut store).await;
     let stored: [i32; RETAINED] = snapshot(&engine);
-    let changes = Changes::new();
+    let link = Link::new(STORE_WIRES);
     let watched = [Pulse::new(Task::Store, SILENCE_MS)];
     let mut controller = Controller {
         engine,
@@ -88,13 +91,13 @@ async fn start(board: SoftPlc<'_>, retain: &Path, cause: Cause) -> io::Result<Op
         ),
         outputs: Outputs::new(panel.outputs.each_ref().map(Output), &OUTPUTS),
         board,
-        changes: &changes,
+        link: &link,
         watched: &watched,
         overload: OVERLOAD,
         observer: Observer::new(&NAMES),
     };
     let [pulse] = &watched;
-    let keep = keep(&mut store, &PROGRAM, &changes, stored, pulse);
+    let keep = keep(&mut store, &PROGRAM, &link, stored, pulse);
     let asked = poll_fn(|_| {
         if moved.signaled() {
             Poll::Ready(())

@@ -28,16 +28,17 @@ use grafcet_core::program::Compiled;
 
 use crate::analogue::{Analogue, Converter};
 use crate::application::{
-    ANALOGUE_INPUTS, INPUTS, NAMES, OUTPUTS, OVERLOAD, PROGRAM, RETAIN, Storage, ThisProgram,
-    WATCHDOG_MS, board_pins,
+    ANALOGUE_INPUTS, INPUTS, NAMES, OUTPUTS, OVERLOAD, PROGRAM, RETAIN, STORE_WIRES, Storage,
+    ThisProgram, WATCHDOG_MS, board_pins,
 };
 use crate::boot::boot;
 use crate::input::Inputs;
+use crate::link::Link;
 use crate::log::Observer;
 use crate::output::Outputs;
 use crate::retain::Store;
-use crate::scan::{Board, Changes, Controller, STANDSTILL, Stop, snapshot};
-use crate::store::{SILENCE_MS, keep};
+use crate::scan::{Board, Controller, STANDSTILL, Stop, snapshot};
+use crate::store::{SILENCE_MS, keep, prepare};
 use crate::vitals::{Pulse, Task};
 use flash::StoreFlash;
 use pin::DigitalInput;
@@ -76,7 +77,7 @@ static mut STORAGE: Storage = Storage::new();
 #[unsafe(export_name = "PLC_SCANS")]
 static SCANS: AtomicU32 = AtomicU32::new(0);
 
-static CHANGES: Changes<RETAINED> = Changes::new();
+static LINK: Link<RETAINED> = Link::new(STORE_WIRES);
 
 /// The tasks below the scan.
 static WATCHED: [Pulse; 1] = [Pulse::new(Task::Store, SILENCE_MS)];
@@ -114,6 +115,7 @@ pub async fn run() -> ! {
     let flash = StoreFlash::new(Flash::new_blocking(p.FLASH), pulse);
     let mut store = Store::new(flash, RETAIN);
     hangable!(Task::Start, boot(&mut engine, &NAMES, &mut store, cause)).await;
+    prepare(&mut store).await;
 
     let stored = snapshot(&engine);
     let voltmeter = Voltmeter {
@@ -130,7 +132,7 @@ pub async fn run() -> ! {
             watchdog,
             interrupted: Task::Scan,
         },
-        changes: &CHANGES,
+        link: &LINK,
         watched: &WATCHED,
         overload: OVERLOAD,
         observer: Observer::new(&NAMES),
@@ -146,7 +148,7 @@ pub async fn run() -> ! {
     }
     hangable!(
         Task::Store,
-        keep(&mut store, &PROGRAM, &CHANGES, stored, pulse)
+        keep(&mut store, &PROGRAM, &LINK, stored, pulse)
     )
     .await
 }

@@ -13,12 +13,15 @@ use plc::boards::host::lines::keep;
 use plc::boot::{Cause, boot};
 use plc::record::Values;
 use plc::retain::Store;
+use plc::store::prepare;
 use std::sync::LazyLock;
 
 use super::nor::{Nor, Tear};
 
 const SECTOR: usize = 256;
 const SECTORS: usize = 4;
+/// What may still be written; not what is tried here.
+const CREDIT: u16 = 7;
 const SIZE: usize = SECTOR * SECTORS;
 const HEAD: usize = 6;
 
@@ -62,13 +65,15 @@ fn comes_up(input: &[u8]) {
         panic!("the program does not compile");
     };
     let (cut, tear, content) = parts(input);
-    // Power fails while the store mends what it finds, or while it stores the first record.
+    // Power fails while the store erases what it finds, or while it stores the first record.
     let flash = Flash::holding(content).cut_after(cut, tear);
     let mut store = Store::new(flash, 0..SIZE as u32);
     let _ = block_on(store.load());
+    block_on(prepare(&mut store));
     let _ = block_on(store.save(
         tables.fingerprint,
         Values::Running(&tables.retained, &[1, 2, 3]),
+        CREDIT,
     ));
     let mut store = Store::new(store.into_flash().power_on(), 0..SIZE as u32);
 
@@ -76,6 +81,7 @@ fn comes_up(input: &[u8]) {
     let vectors = Vectors::new(&program);
     let mut engine = Engine::new(&program, vectors);
     block_on(boot(&mut engine, &NAMES, &mut store, Cause::PowerOn));
+    block_on(prepare(&mut store));
     engine.start();
     for (row, (low, high)) in tables
         .retained
@@ -91,6 +97,7 @@ fn comes_up(input: &[u8]) {
         let saved = block_on(store.save(
             tables.fingerprint,
             Values::Running(&tables.retained, &values),
+            CREDIT,
         ));
         assert_eq!(saved, Ok(()), "record {number}");
         store = Store::new(store.into_flash(), 0..SIZE as u32);
@@ -98,6 +105,7 @@ fn comes_up(input: &[u8]) {
         let found =
             record.map(|it| it.map(|it| it.values.iter().map(|(_, value)| value).collect()));
         assert_eq!(found, Ok(Some(values.to_vec())), "record {number}");
+        block_on(prepare(&mut store));
     }
 }
 
@@ -143,7 +151,9 @@ pub(crate) fn seeds() -> Vec<Vec<u8>> {
             let _ = block_on(store.save(
                 tables.fingerprint,
                 Values::Running(&tables.retained, &values),
+                CREDIT,
             ));
+            block_on(prepare(store));
         };
         for number in 0..records {
             save(&mut store, number);
