@@ -111,21 +111,22 @@ build_bench_image() {
 
 # Builds the images of the applications that tests use, each as $IMAGES/NAME: those of tests/emulated/applications, the
 # random ones, which a test of the reference writes to $RANDOM_PROGRAMS, the drilling station, and the mixing tank, whose soft
-# PLC lies beside the switcher's. `hang` is an image whose tasks hang when a test tells them to.
+# PLC lies beside the switcher's. The tasks of `tolerant` hang when a test tells them to.
 build_test_images() {
     IMAGES="$BUILD_DIR/test-images"
     RANDOM_PROGRAMS="$BUILD_DIR/tmp/applications"
     mkdir -p "$IMAGES"
     cargo test --locked --quiet --package grafcet-reference --test differential board::
-    local wiring
+    local wiring name features
     local station=graphs/examples/drilling_station/plc.toml tank=graphs/examples/mixing_tank/plc.toml
     for wiring in tests/emulated/applications/*/plc.toml "$RANDOM_PROGRAMS"/*/plc.toml "$station" "$tank"; do
         # Quietly: what a program that has to show everything is warned of is no news.
-        PLC=$wiring build_image --quiet
-        cp "$IMAGE" "$IMAGES/$(basename "$(dirname "$wiring")")"
+        name=$(basename "$(dirname "$wiring")")
+        features=()
+        if [ "$name" = tolerant ]; then features=(--features hang); fi
+        PLC=$wiring build_image --quiet "${features[@]}"
+        cp "$IMAGE" "$IMAGES/$name"
     done
-    PLC=tests/emulated/applications/tolerant/plc.toml build_image --quiet --features hang
-    cp "$IMAGE" "$IMAGES/hang"
     PLC=$tank cargo build --locked --quiet --package plc
     cp "$BUILD_DIR/debug/plc" "$BUILD_DIR/debug/plc-mixing_tank"
     # The last one stays where the other scripts look for it.

@@ -23,7 +23,7 @@ const CLOCK_MS = 52;
 const SILENCE_MS = 2000;
 
 function atWork(options = {}) {
-  const bench = new Bench(Application.hanging(), { recordEdges: true, inputs: { [HEAVY]: 0 }, ...options });
+  const bench = new Bench(Application.named('tolerant'), { recordEdges: true, inputs: { [HEAVY]: 0 }, ...options });
   bench.pico.powerOn();
   bench.pico.runFor(500);
   assert.equal(bench.pico.level(MOTOR), 1, 'at work');
@@ -67,7 +67,7 @@ for (const manner of ['spins', 'waits']) {
   });
 
   test(`a start that ${manner} for ever is ended by the watchdog, with safe outputs`, () => {
-    const bench = new Bench(Application.hanging(), { recordEdges: true, inputs: { [HEAVY]: 0 } });
+    const bench = new Bench(Application.named('tolerant'), { recordEdges: true, inputs: { [HEAVY]: 0 } });
     const { pico } = bench;
     pico.powerOn();
     assert.ok(pico.runUntil(() => pico.driven(BRAKE), 10));

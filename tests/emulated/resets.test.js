@@ -18,9 +18,9 @@ const RECOVERED = 1 << 2;
 const boot = () => new Pico(image, { inputs: INPUTS });
 const recovered = (pico) => (pico.read32('PLC_STORAGE') & RECOVERED) !== 0;
 
-/** Replaces the first instruction of the scan's interrupt until the next start. */
-function break_(pico, instruction) {
-  const offset = (pico.symbol('SWI_IRQ_0').address & ~1) - FLASH_BASE;
+/** Replaces the first instruction of an interrupt, the scan's unless another is named, until the next start. */
+function break_(pico, instruction, interrupt = 'SWI_IRQ_0') {
+  const offset = (pico.symbol(interrupt).address & ~1) - FLASH_BASE;
   const kept = pico.flash.bytes.slice(offset, offset + 2);
   pico.flash.bytes.set(instruction, offset);
   untilStartedAgain(pico, 3000);
@@ -56,6 +56,15 @@ test('a scan that hangs is ended by the watchdog, and the program knows', () => 
   assert.deepEqual(causes(pico), ['power-on', 'watchdog: scan hung']);
   assert.equal(recovered(pico), true);
   assert.equal(pico.level(16), 0);
+});
+
+test('a timer that hangs keeps the scan from coming, and is ended by the watchdog', () => {
+  const pico = boot();
+  untilDriven(pico);
+  break_(pico, [0xfe, 0xe7], 'TIMER_IRQ_0'); // B .
+  assert.ok(OUTPUTS.every((pin) => !pico.driven(pin)));
+  pico.runFor(50);
+  assert.deepEqual(causes(pico), ['power-on', 'watchdog: scan hung']);
 });
 
 test('a fault of the processor lets go of the outputs at once and restarts the program', () => {

@@ -35,6 +35,7 @@ use crate::retain::Store;
 use crate::scan::{Board, Controller, Stop, snapshot};
 use crate::store::{SILENCE_MS, keep, prepare};
 use crate::vitals::{Pulse, Task};
+use crate::wiring::{Overload, Policy};
 
 /// How long power stays away in a power cycle.
 const POWER_OFF: Duration = Duration::from_secs(1);
@@ -93,7 +94,11 @@ async fn start(board: SoftPlc<'_>, retain: &Path, cause: Cause) -> io::Result<Op
         board,
         link: &link,
         watched: &watched,
-        overload: OVERLOAD,
+        // What a desktop does besides is no fault of the program.
+        overload: Overload {
+            policy: Policy::KeepRunning,
+            ..OVERLOAD
+        },
         observer: Observer::new(&NAMES),
     };
     let [pulse] = &watched;

@@ -31,11 +31,6 @@ export class Application {
     return new Application(`tests/emulated/applications/${name}/plc.toml`, join(PLC_IMAGES, name));
   }
 
-  /** An image whose tasks hang when a test tells them to. */
-  static hanging() {
-    return new Application('tests/emulated/applications/tolerant/plc.toml', join(PLC_IMAGES, 'hang'));
-  }
-
   /** One of the examples, of those that have an image. */
   static example(name) {
     return new Application(`graphs/examples/${name}/plc.toml`, join(PLC_IMAGES, name));
