@@ -53,6 +53,8 @@ impl<const R: usize> Link<R> {
     }
 
     /// After a scan, before the next one at `release`: whether the program is quiet until then.
+    // A function of its own: what calls wakers through pointers is listed by name (tests/image).
+    #[inline(never)]
     pub fn lease(&self, engine: &Engine<impl Compiled, impl Memory>, release: Instant) {
         match self.wires.quiet {
             Some(bit) if engine.bit(bit) => self.quiet_until.signal(release),

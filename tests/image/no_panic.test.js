@@ -34,6 +34,7 @@ const POINTERS = [
   '_embassy_time_schedule_wake',
   'embassy_time_queue_utils::Queue::next_expiration',
   /^plc::scan::Controller<.*>::finish$/,
+  /^plc::link::Link<_>::lease$/,
   // The scan task.
   'embassy_executor::raw::Executor::poll',
 ];
