@@ -91,10 +91,15 @@ build_image() {
 build_bench_image() {
     local program=$1 cpu=$2 out=$3 target=$TARGET log
     # Floating point in registers would be of no use: there is none in the engine.
-    if [ "$cpu" = m4 ]; then target=thumbv7em-none-eabi; fi
+    case $cpu in
+        m4) target=thumbv7em-none-eabi ;;
+        x86) target=x86_64-unknown-none ;;
+    esac
     setup_target "$target"
     log=$(mktemp)
+    # Nobody moves an image to where it is run, as is usual on x86.
     if ! BENCH_PROGRAM=$program cargo build --locked --quiet --profile bench-image --target "$target" \
+        --config 'target.x86_64-unknown-none.rustflags=["-Crelocation-model=static"]' \
         --package bench-image 2>"$log"; then
         # Of a wrong program only what the compiler says of it, which cargo indents.
         if grep -q '^ *--- stderr' "$log"; then

@@ -4,14 +4,18 @@ import argparse
 import sys
 from pathlib import Path
 
+import pico
 import table
-from cortex_m import CPUS, BadImage
 from counts import compare, count, to_text
+from machine import BadImage
+from processors import PROCESSORS
 from schedule import Missed
 
 BENCH = Path(__file__).resolve().parent.parent
 COUNTS = BENCH / "counts.txt"
 OWN = "this engine"
+# The image that is flashed, with log and retain store: for the same processor, and with everything around the engine.
+WHOLE = ("line_switcher", "pico")
 HAND = {"C, Booleans": "bool", "C, bit words": "bits", "C, switch": "switch"}
 
 
@@ -20,17 +24,20 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("images", type=Path, help="directory of PROGRAM.CPU.elf and PROGRAM.VARIANT.CPU.elf")
     parser.add_argument("mode", choices=("table", "check", "update"))
-    parser.add_argument("programs", nargs="+", help="programs to count")
+    parser.add_argument("programs", nargs="+", help="programs to count, for every processor that they were built for")
+    parser.add_argument("--pico", type=Path, required=True, help="the image that is flashed")
     arguments = parser.parse_args()
     try:
+        whole = pico.size(arguments.pico)
         if arguments.mode == "table":
-            print_table(arguments.images, arguments.programs)
+            print_table(arguments.images, arguments.programs, whole)
             return 0
         counted = {
-            (program, cpu): count_own(arguments.images, program, cpu)[0]
+            (program, cpu): counts
             for program in arguments.programs
-            for cpu in CPUS
+            for cpu, (counts, _) in count_own(arguments.images, program).items()
         }
+        counted[WHOLE] = whole
     except (BadImage, Missed, OSError) as error:
         print(f"error: {error}", file=sys.stderr)
         return 1
@@ -59,18 +66,23 @@ def schedule_of(images, program):
     return written if written.exists() else images / f"{program}.txt"
 
 
-def count_own(images, program, cpu):
-    """Counts this engine's image."""
-    return count(images / f"{program}.{cpu}.elf", cpu, schedule_of(images, program))
+def count_own(images, program):
+    """Counts this engine's images: for each processor the counts, and what was at the outputs."""
+    counted = {}
+    for cpu in PROCESSORS:
+        elf = images / f"{program}.{cpu}.elf"
+        if elf.exists():
+            counted[cpu] = count(elf, cpu, schedule_of(images, program))
+            demand_same(elf, next(iter(counted.values()))[1], counted[cpu][1])
+    return counted
 
 
-def print_table(images, programs):
+def print_table(images, programs, whole):
     """Every program on every processor, beside C."""
     rows, bare = [], {}
     for program in programs:
         measured = set()
-        for cpu in CPUS:
-            counts, answers = count_own(images, program, cpu)
+        for cpu, (counts, answers) in count_own(images, program).items():
             bare[program, cpu] = counts
             rows.append(table.counted_row(program, cpu, OWN, counts))
             for form, variant in HAND.items():
@@ -81,12 +93,13 @@ def print_table(images, programs):
                     rows.append(table.counted_row(program, cpu, form, by_hand))
                     measured.add(form)
         rows += table.recorded_rows(program, measured)
+    rows.append(table.size_row(*WHOLE, whole))
     print(table.text(rows))
     print()
     print(table.LEGEND)
     if {"many_steps", "sleeping_steps"} <= set(programs):
         print()
-        for cpu in CPUS:
+        for cpu in ("m0plus", "m4"):
             few, more = bare["many_steps", cpu], bare["sleeping_steps", cpu]
             print(
                 f"A sleeping step with its transition and an action costs {(more.flash - few.flash) / 10_000:.1f} bytes"
@@ -95,7 +108,7 @@ def print_table(images, programs):
 
 
 def demand_same(elf, answers, others):
-    """The C does what the graph does, in every scan of the schedule."""
+    """An image does what the graph does, in every scan of the schedule."""
     for scan, (answer, other) in enumerate(zip(answers, others, strict=True)):
         if answer != other:
             raise Missed(f"{elf.name}: scan {scan}: its outputs are {other:#b}, those of the graph {answer:#b}")

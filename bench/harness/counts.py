@@ -3,7 +3,7 @@
 from dataclasses import asdict, dataclass
 from statistics import median_low
 
-from cortex_m import Machine
+from processors import PROCESSORS
 from schedule import Run
 
 # How much a count may grow unnoticed.
@@ -11,7 +11,8 @@ TOLERANCE = 0.05
 
 HEADER = """\
 # What script/bench --update counted: for each program and processor the executed instructions of a scan and the bytes
-# of the bare image. script/bench --check fails when one has grown by more than 5 %.
+# of the bare image; and the bytes of the whole image that is flashed. script/bench --check fails when one has grown by
+# more than 5 %.
 """
 
 
@@ -33,7 +34,7 @@ class Counts:
 
 def count(elf, cpu, schedule):
     """Plays a schedule to an image. The answer: its counts, and what it had at its outputs after each scan."""
-    machine = Machine(elf, cpu)
+    machine = PROCESSORS[cpu](elf)
     run = Run(machine, schedule)
     steady, firing = run.counts["steady"], run.counts["fire"]
     counts = Counts(
@@ -51,7 +52,8 @@ def count(elf, cpu, schedule):
 
 
 def to_text(counted):
-    """The checked-in form: a line for each count, in a fixed order. `counted` maps program and processor to Counts."""
+    """The checked-in form: a line for each count, in a fixed order. `counted` maps program and processor to Counts,
+    or to the size of a whole image."""
     lines = [
         f"{program} {cpu} {name} {value}\n"
         for (program, cpu), counts in sorted(counted.items())

@@ -1,43 +1,32 @@
-"""Writes the large program: a hundred sequences of ten steps, a hundred of its thousand steps active.
+"""Writes the large program as a graph, with its schedule.
 
     generate.py PROGRAM.grafcet SCHEDULE.txt [SLEEPING]
-
-Every sequence goes round, and each of its transitions waits for one of 31 inputs; with all of them True a hundred
-transitions fire in every scan. SLEEPING steps more, with a transition and an action each, stand in graphs of a hundred
-steps of which none is ever active.
 """
 
 import sys
 
-SEQUENCES, STEPS, INPUTS = 100, 10, 31
-SLEEPERS = 100
+from large import INPUTS, sequences
 
 
 def program(sleeping):
     """The text of the program."""
     lines = [f"input I{number} at %IX{number // 8}.{number % 8}" for number in range(INPUTS)]
     lines += [f"output O{number} at %QX{number // 8}.{number % 8}" for number in range(INPUTS)]
-    for graph in range(SEQUENCES):
-        lines += sequence(f"G{graph}", STEPS, graph, awake=True)
-    for graph in range(sleeping // SLEEPERS):
-        lines += sequence(f"Sleeping{graph}", SLEEPERS, graph, awake=False)
+    for sequence in sequences(sleeping):
+        lines += graph(sequence)
     return "\n".join(lines) + "\n"
 
 
-def sequence(name, steps, shift, awake):
-    """A graph that goes round."""
-    yield f"graph {name} {{"
-    for step in range(1, steps + 1):
-        if awake and step == 1:
-            yield "    initial step 1"
-        elif awake and shift:
-            yield f"    step {step}"
-        else:
-            output = 0 if awake else 1 + (shift + step) % (INPUTS - 1)
-            yield f"    step {step} {{ O{output} }}"
-    for step in range(1, steps + 1):
-        trigger = (7 * shift + step) % INPUTS
-        yield f"    transition {step}: {step} -> {step % steps + 1} when I{trigger}"
+def graph(sequence):
+    """The text of a sequence."""
+    yield f"graph {sequence.name} {{"
+    for step in sequence.steps():
+        initial = "initial " if sequence.awake and step == 1 else ""
+        output = sequence.output(step)
+        action = "" if output is None else f" {{ O{output} }}"
+        yield f"    {initial}step {step}{action}"
+    for step in sequence.steps():
+        yield f"    transition {step}: {step} -> {sequence.behind(step)} when I{sequence.trigger(step)}"
     yield "}"
 
 

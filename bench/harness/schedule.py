@@ -16,7 +16,7 @@ One command a line; `#` begins a comment.
     expect Q=1 R=0   checks outputs
 """
 
-from cortex_m import BadImage
+from machine import BadImage
 
 PERIOD_MS = 10
 UNREAD = 1 << 31

@@ -5,6 +5,8 @@ from dataclasses import replace
 
 from counts import Counts, compare, to_text
 from cortex_m import instructions
+from large import sequences
+from pico import Size
 
 BEFORE = Counts(20, 90, 100, 120, 130, 200, 2000, 3000, 128)
 
@@ -37,6 +39,32 @@ class Comparison(unittest.TestCase):
     def test_a_program_that_is_no_longer_counted_is_wrong(self):
         wrong, _ = compare(to_text({("saw", "m4"): BEFORE}), {})
         self.assertIn("saw m4 idle: in the counts file, and not counted", wrong)
+
+
+    def test_a_whole_image_is_held_to_its_size(self):
+        whole = {("saw", "pico"): Size(40_000, 8_000)}
+        kept = to_text(whole)
+        self.assertEqual(compare(kept, whole), ([], []))
+        grown = {("saw", "pico"): Size(40_000, 8_401)}
+        self.assertEqual(compare(kept, grown), (["saw pico ram: 8000 -> 8401"], []))
+
+
+class Large(unittest.TestCase):
+    """The large program."""
+
+    def test_a_hundred_of_a_thousand_steps_are_active(self):
+        few = sequences(0)
+        self.assertEqual((len(few), sum(it.length for it in few)), (100, 1000))
+        self.assertTrue(all(it.awake for it in few))
+
+    def test_sleeping_steps_come_in_addition_and_have_an_output_each(self):
+        asleep = [it for it in sequences(10_000) if not it.awake]
+        self.assertEqual(sum(it.length for it in asleep), 10_000)
+        self.assertTrue(all(it.output(step) for it in asleep for step in it.steps()))
+
+    def test_no_step_waits_for_the_input_that_nothing_reads(self):
+        inputs = {it.trigger(step) for it in sequences(10_000) for step in it.steps()}
+        self.assertEqual(inputs, set(range(31)))
 
 
 class Code(unittest.TestCase):
