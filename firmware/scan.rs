@@ -142,7 +142,9 @@ where
         }
     }
 
-    /// All that follows the program's part of a scan.
+    /// All that follows the program's part of a scan; a function of its own in every image, so that a search for panics
+    /// finds the calls through pointers where it expects them.
+    #[inline(never)]
     fn finish(&mut self, retained: &mut [i32; R]) {
         self.outputs.write(&self.engine);
         let values = snapshot(&self.engine);
