@@ -9,8 +9,8 @@ import { demonstrate } from '../../emulator/src/demonstration.js';
 
 const { PLC_IMAGE, PLC_IMAGES, PLC_HOST } = process.env;
 
-/** A board needs this long from power to scan 0, twice in a demonstration with a power cycle. */
-const START_MS = 2;
+/** A board needs this long from power to scan 0, to read its retain area; twice in a demonstration with a power cycle. */
+const START_MS = 14;
 
 const LINE = /^ +(\d+)\.(\d{3})  (.*)$/;
 
