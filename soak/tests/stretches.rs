@@ -32,9 +32,9 @@ fn run(subject: Subject, long_ms: u64, pace: Pace) -> Outcome {
 #[test]
 fn both_interpreters_agree_on_every_scan_of_a_busy_machine() {
     for subject in Subject::ALL {
-        let outcome = run(subject, 4 * MINUTE_MS, Pace::EveryScan);
-        assert_eq!(outcome.scans, 4 * MINUTE_MS / PERIOD_MS);
-        assert!(outcome.fired > 50, "{outcome:?}");
+        let outcome = run(subject, 2 * MINUTE_MS, Pace::EveryScan);
+        assert_eq!(outcome.scans, 2 * MINUTE_MS / PERIOD_MS);
+        assert!(outcome.fired > 25, "{outcome:?}");
         assert!(outcome.idle * 2 > outcome.scans, "{outcome:?}");
     }
 }
