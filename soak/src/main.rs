@@ -5,7 +5,7 @@
 mod play;
 mod progress;
 
-use std::io;
+use std::io::ErrorKind;
 use std::process::ExitCode;
 
 use clap::{Parser, Subcommand, ValueEnum};
@@ -84,8 +84,13 @@ fn main() -> ExitCode {
         Command::Years(long) => long.run(("years", YEAR_MS), Pace::YEARS),
         Command::Play(arguments) => match play::run(&arguments) {
             Ok(()) => ExitCode::SUCCESS,
-            // Whoever read our output has seen enough.
-            Err(play::Stopped::Output(error)) if error.kind() == io::ErrorKind::BrokenPipe => {
+            // Whoever read our output has seen enough: of a pipe, or of the socket that Node.js makes of one.
+            Err(play::Stopped::Output(error))
+                if matches!(
+                    error.kind(),
+                    ErrorKind::BrokenPipe | ErrorKind::ConnectionReset
+                ) =>
+            {
                 ExitCode::SUCCESS
             }
             Err(stopped) => {
