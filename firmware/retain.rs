@@ -91,14 +91,18 @@ impl<F: NorFlash> Store<F> {
     pub async fn load(&mut self) -> Result<Option<Record<'_>>, Error<F::Error>> {
         self.check_area()?;
         self.newest = None;
+        (self.active, self.next) = (0, 0);
         let mut blank = 0_u64;
         for sector in 0..self.sectors() {
-            if self.find_newest(sector).await? {
+            let end = self.look_through(sector).await?;
+            if end == 0 {
                 blank |= bit(sector);
             }
+            let active = self.newest.map_or(0, |(at, _)| at / Self::SECTOR);
+            if active == sector {
+                (self.active, self.next) = (active, end);
+            }
         }
-        self.active = self.newest.map_or(0, |(at, _)| at / Self::SECTOR);
-        self.next = self.end_of_sector(self.active).await?;
         self.stock = 0;
         while self.stock < self.most_stock() && blank & bit(self.ahead(self.stock + 1)) != 0 {
             self.stock += 1;
@@ -238,55 +242,69 @@ impl<F: NorFlash> Store<F> {
         sector.checked_rem(self.sectors()).unwrap_or(0)
     }
 
-    /// Looks for whole records in a sector that are newer than the newest one. True when the sector is erased.
-    async fn find_newest(&mut self, sector: usize) -> Result<bool, Error<F::Error>> {
+    /// Looks for whole records in a sector that are newer than the newest one. The answer is where the next one may stand;
+    /// 0 when the sector is erased.
+    async fn look_through(&mut self, sector: usize) -> Result<usize, Error<F::Error>> {
         let mut page = [0; PAGE];
-        let mut at = 0;
-        let mut blank = true;
+        let (mut at, mut end) = (0, 0);
         while at < Self::SECTOR {
             let inside = at % PAGE;
             let start = sector * Self::SECTOR + at;
             self.read_page(start - inside, &mut page).await?;
             let rest = page.get(inside..).unwrap_or_default();
+            let Some(bytes) = rest.first_chunk::<GRAIN>() else {
+                break;
+            };
             if is_erased(rest) {
                 at += PAGE - inside;
-                continue;
+            } else if is_erased(bytes) {
+                at += GRAIN;
+            } else {
+                let (whole, length) = self.look_at(start, Header::read(bytes)).await?;
+                // Nothing is written to where a torn record would have gone on: it might complete it.
+                end = end.max(at + length);
+                at += if whole { length } else { GRAIN };
             }
-            blank = false;
-            at += match rest.first_chunk().map(Header::read) {
-                Some(header) => self.look_at(start, header).await?,
-                None => GRAIN,
-            };
         }
-        Ok(blank)
+        Ok(end)
     }
 
-    /// Looks at what may be a record. The answer is how many bytes it takes.
-    async fn look_at(&mut self, at: usize, header: Header) -> Result<usize, Error<F::Error>> {
-        match header.record_length() {
-            Some(length) if self.is_whole(at, header, length).await? => {
-                let newest = self.newest.as_ref();
-                if newest.is_none_or(|(_, newest)| is_newer(header.sequence, newest.sequence)) {
-                    self.newest = Some((at, header));
-                }
-                Ok(length.next_multiple_of(GRAIN))
-            }
-            _ => Ok(GRAIN),
+    /// Looks at what may be a record: whether it is one, and how many bytes it takes, or would.
+    async fn look_at(
+        &mut self,
+        at: usize,
+        header: Header,
+    ) -> Result<(bool, usize), Error<F::Error>> {
+        let Some(length) = header.record_length().filter(|it| Self::can_stand(at, *it)) else {
+            return Ok((false, GRAIN));
+        };
+        let whole = self.is_whole(at, header, length).await?;
+        let newest = self.newest.as_ref();
+        if whole && newest.is_none_or(|(_, newest)| is_newer(header.sequence, newest.sequence)) {
+            self.newest = Some((at, header));
         }
+        Ok((whole, length.next_multiple_of(GRAIN)))
     }
 
-    /// Whether a record that seems to begin here stands where one can, and is as it was written.
+    /// Whether a record of that length is ever written there: on one page, or from the beginning of one.
+    fn can_stand(at: usize, length: usize) -> bool {
+        let within = if length <= PAGE {
+            PAGE
+        } else if at.is_multiple_of(PAGE) {
+            Self::SECTOR
+        } else {
+            return false;
+        };
+        at % within + length <= within
+    }
+
+    /// Whether a record that seems to begin here is as it was written.
     async fn is_whole(
         &mut self,
         at: usize,
         header: Header,
         length: usize,
     ) -> Result<bool, Error<F::Error>> {
-        let page = if length <= PAGE { PAGE } else { Self::SECTOR };
-        let begins_a_page = at.is_multiple_of(PAGE);
-        if (length > PAGE && !begins_a_page) || at % page + length > page {
-            return Ok(false);
-        }
         let mut check = header.check();
         let mut part = [0; 4 * GRAIN];
         let mut done = HEADER;
@@ -301,24 +319,16 @@ impl<F: NorFlash> Store<F> {
         Ok(check.holds())
     }
 
-    /// Where nothing has been written yet in a sector, and nothing behind.
-    async fn end_of_sector(&mut self, sector: usize) -> Result<usize, Error<F::Error>> {
-        let mut page = [0; PAGE];
-        let mut end = Self::SECTOR;
-        while end > 0 {
-            let start = end - PAGE;
-            self.read_page(sector * Self::SECTOR + start, &mut page)
-                .await?;
-            if let Some(last) = page.iter().rposition(|byte| *byte != ERASED) {
-                return Ok(start + (last + 1).next_multiple_of(GRAIN));
-            }
-            end = start;
-        }
-        Ok(0)
-    }
-
     async fn is_blank(&mut self, sector: usize) -> Result<bool, Error<F::Error>> {
-        Ok(self.end_of_sector(sector).await? == 0)
+        let mut page = [0; PAGE];
+        for at in (0..Self::SECTOR).step_by(PAGE) {
+            self.read_page(sector * Self::SECTOR + at, &mut page)
+                .await?;
+            if !is_erased(&page) {
+                return Ok(false);
+            }
+        }
+        Ok(true)
     }
 
     async fn read_page(&mut self, at: usize, page: &mut [u8; PAGE]) -> Result<(), Error<F::Error>> {

@@ -97,6 +97,31 @@ fn old_or_new_and_still_working(flash: Flash, number: i32) {
 }
 
 #[test]
+fn nothing_is_written_to_where_a_torn_record_would_have_gone_on() {
+    // Of so many lengths one ends with the first byte of a grain.
+    let torn = (1..20).flat_map(|count| [1, 2_000].map(|value| vec![value; count]));
+    let mut ended_behind_a_grain = false;
+    for values in torn {
+        let mut store = start(Flash::new(SECTORS)).1;
+        save(&mut store, &values).expect("there is room");
+        let flash = store.into_flash();
+        let Some(&Operation::Program(length)) = flash.done.first() else {
+            panic!("nothing was programmed");
+        };
+        ended_behind_a_grain |= length % 16 == 1;
+        let flash = Flash::new(SECTORS).cut_after(length - 1, Tear::InOrder);
+        let mut store = start(flash).1;
+        assert!(save(&mut store, &values).is_err());
+        let (found, mut store) = start(store.into_flash().power_on());
+        assert_eq!(found, None);
+        save(&mut store, &[1]).expect("there is room");
+        let flash = store.into_flash();
+        assert_eq!(flash.bytes[length - 1], 0xff, "{length} bytes");
+    }
+    assert!(ended_behind_a_grain);
+}
+
+#[test]
 fn nothing_is_erased_to_write_a_record() {
     let mut store = start(Flash::new(SECTORS)).1;
     let mut number = 0;
