@@ -7,11 +7,16 @@ mod demonstration;
 mod rows;
 
 use proc_macro2::{Literal, TokenStream};
-use quote::quote;
+use quote::{format_ident, quote};
 
 pub use self::demonstration::demonstration;
 use self::rows::Row;
 use crate::application::{Application, Plant, Symbols, Tables, Wire};
+
+/// Programs with at most so many steps are walked over step by step.
+const UNROLLED_STEPS: usize = 1024;
+/// Steps that are passed over together.
+const FEW: usize = 4;
 
 /// `PROGRAM`, `NAMES` and `Storage` of the controller, with their assertions.
 #[must_use]
@@ -19,7 +24,8 @@ pub fn program(application: &Application) -> TokenStream {
     let tables = &application.controller.tables;
     let program = tables.literal();
     let names = names_literal(&application.name, tables, &application.controller.symbols);
-    let storage = storage_type(tables);
+    let storage = storage(tables);
+    let walks = walks(tables);
     quote! {
         use grafcet_core::program::*;
 
@@ -39,16 +45,79 @@ pub fn program(application: &Application) -> TokenStream {
             fn program(&self) -> &Program<'_> {
                 &PROGRAM
             }
+
+            #walks
         }
 
         /// What the program calls its things.
         pub static NAMES: Names<'static> = #names;
 
-        /// The memory of the program.
-        pub type Storage = #storage;
+        #storage
 
         const _: () = assert!(Storage::is_sized_for(&PROGRAM));
     }
+}
+
+/// The walk over the steps of a small program, step by step.
+fn walks(tables: &Tables) -> Option<TokenStream> {
+    if tables.steps.len() > UNROLLED_STEPS {
+        return None;
+    }
+    let ends = tables.blocks.iter().skip(1).map(|block| block.first);
+    let ends = ends.chain([tables.steps.len() as u16]);
+    let blocks = tables.blocks.iter().zip(ends).enumerate();
+    let blocks = blocks.map(|(place, (block, end))| {
+        let steps: Vec<TokenStream> = (block.first..end)
+            .enumerate()
+            .map(|(bit, step)| {
+                let mask = Literal::u32_unsuffixed(1 << bit);
+                let row = row(usize::from(step));
+                quote! {
+                    if steps & #mask != 0 && let Some(step) = PROGRAM.steps.#row {
+                        visit.step(step);
+                    }
+                }
+            })
+            .collect();
+        // Mostly one step is active: with one look at the others of a few are passed over.
+        let steps = steps.chunks(FEW).enumerate().map(|(place, steps)| {
+            let mask = Literal::u32_unsuffixed(0xf << (place * FEW));
+            match steps {
+                [step] => step.clone(),
+                steps => quote! {
+                    if steps & #mask != 0 {
+                        #(#steps)*
+                    }
+                },
+            }
+        });
+        let row = row(place);
+        let place = Literal::usize_unsuffixed(place);
+        quote! {
+            if let Some(block) = PROGRAM.blocks.#row {
+                let steps = visit.choose(#place, block);
+                #(#steps)*
+                visit.leave(#place);
+            }
+        }
+    });
+    Some(quote! {
+        const UNROLLED: bool = true;
+
+        #[inline(always)]
+        fn each_step(&self, visit: &mut impl VisitSteps) {
+            #(#blocks)*
+        }
+    })
+}
+
+/// The call that gets a row.
+fn row(place: usize) -> TokenStream {
+    if place == 0 {
+        return quote!(first());
+    }
+    let place = Literal::usize_unsuffixed(place);
+    quote!(get(#place))
 }
 
 /// `PLANTS`: what stands in for the machine when the image runs on a host. `PlantTables` is a type of the image.
@@ -87,21 +156,26 @@ fn wires(wires: &[Wire]) -> TokenStream {
     quote!(&[#(#pairs),*])
 }
 
-fn storage_type(tables: &Tables) -> TokenStream {
+fn storage(tables: &Tables) -> TokenStream {
     let layout = &tables.layout;
     let sizes = [
-        usize::from(layout.words),
-        usize::from(layout.numbers),
-        layout.situation_words(),
-        usize::from(layout.remembered),
-        usize::from(layout.stamps),
-        usize::from(layout.stack),
-        usize::from(layout.fired),
-        usize::from(layout.passed),
-        usize::from(layout.standings),
-    ]
-    .map(Literal::usize_unsuffixed);
-    quote!(grafcet_core::memory::Storage<#(#sizes),*>)
+        ("image", usize::from(layout.words)),
+        ("numbers", usize::from(layout.numbers)),
+        ("before", layout.situation_words()),
+        ("before_scan", usize::from(layout.remembered)),
+        ("fired", usize::from(layout.fired)),
+        ("passed", usize::from(layout.passed)),
+        ("stack", usize::from(layout.stack)),
+        ("stamps", usize::from(layout.stamps)),
+        ("standings", usize::from(layout.standings)),
+        ("shown", usize::from(layout.shown)),
+        ("sets", usize::from(layout.sets)),
+    ];
+    let sizes = sizes.map(|(name, length)| {
+        let (name, length) = (format_ident!("{name}"), Literal::usize_unsuffixed(length));
+        quote!(#name: #length)
+    });
+    quote!(grafcet_core::storage!(Storage { #(#sizes),* });)
 }
 
 fn names_literal(application: &str, tables: &Tables, symbols: &Symbols) -> TokenStream {

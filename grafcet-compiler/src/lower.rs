@@ -16,6 +16,7 @@ mod observer;
 mod places;
 mod plant;
 mod pool;
+mod reads;
 mod structure;
 mod symbols;
 mod unit;

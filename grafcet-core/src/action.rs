@@ -1,9 +1,12 @@
 //! Events and actions (`semantics.md`, phases 5 to 7).
 
-use crate::bits::{clear, set_bits_of};
 use crate::engine::Engine;
 use crate::memory::Memory;
-use crate::program::{Assignment, Compiled, Dependent, Duties, Momentary, Run, Stored};
+use crate::program::{
+    Assignment, Block, Compiled, Dependent, Momentary, Run, Step, Stored, Target, VisitSteps,
+};
+use crate::sets::Set;
+use crate::walk::{Visit, each};
 
 /// Which steps an action belongs to.
 #[derive(Clone, Copy)]
@@ -20,17 +23,14 @@ enum Steps {
 
 impl<P: Compiled, M: Memory> Engine<P, M> {
     /// Phase 5: what has just become active is timed from now.
+    #[inline(always)]
     pub(crate) fn stamp_activations(&mut self) {
         let tables = self.tables;
         let program = tables.program();
         if self.memory.store.stamps().is_empty() {
             return;
         }
-        self.for_each_duty(Steps::Activated, |engine, duties| {
-            if let Some(stamp) = duties.activated {
-                engine.memory.set_stamp(stamp, engine.now_ms);
-            }
-        });
+        self.for_each_duty(Steps::Activated, Part::Activated);
         for row in program.macros {
             if let Some(stamp) = row.activated
                 && self.memory.bit(row.bit)
@@ -49,21 +49,11 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
             self.for_each_fired(|engine, transition| engine.run_stored(transition.actions));
         }
         if !program.events.is_empty() {
-            self.for_each_duty(Steps::Before, |engine, duties| {
-                for event in duties.on_event.of(program.events) {
-                    if engine.memory.bit(event.event) {
-                        engine.run_stored(event.stored);
-                    }
-                }
-            });
+            self.for_each_duty(Steps::Before, Part::OnEvent);
         }
         if program.stores_on_change {
-            self.for_each_duty(Steps::Deactivated, |engine, duties| {
-                engine.run_stored(duties.on_deactivation);
-            });
-            self.for_each_duty(Steps::Activated, |engine, duties| {
-                engine.run_stored(duties.on_activation);
-            });
+            self.for_each_duty(Steps::Deactivated, Part::OnDeactivation);
+            self.for_each_duty(Steps::Activated, Part::OnActivation);
         }
     }
 
@@ -73,76 +63,69 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
         let program = tables.program();
         self.run_stored(program.always_stored);
         if program.lasting_in_steps {
-            self.for_each_duty(Steps::Active, |engine, duties| {
-                engine.run_stored(duties.stored);
-            });
+            self.for_each_duty(Steps::Active, Part::Stored);
         }
     }
 
     /// Phase 7: a momentary variable is the OR of its statements, those that read others after those they read.
+    #[inline(always)]
     pub(crate) fn run_momentary(&mut self) {
         let tables = self.tables;
         let program = tables.program();
-        let words = program.layout.momentary.indices();
-        if let Some(words) = self.memory.store.image_mut().get_mut(words) {
-            clear(words);
+        let words = program.layout.momentary;
+        // Mostly there is but one word: it is made beside the image and written once.
+        let only = match words.len {
+            1 => Some(words.start),
+            _ => None,
+        };
+        let before = self.memory.word(usize::from(words.start));
+        if only.is_none() {
+            self.memory.begin_showing(words);
         }
-        self.run_momentary_rows(program.always_momentary);
-        let first = usize::from(program.layout.situations.start);
-        for (place, block) in program.blocks.iter().enumerate() {
-            let steps = self.memory.word(first + place) & block.momentary;
-            for bit in set_bits_of(steps) {
-                if let Some(step) = program.steps.get(usize::from(block.first) + bit) {
-                    self.run_momentary_rows(step.momentary);
-                }
-            }
+        let mut showing = Showing {
+            engine: self,
+            only,
+            shown: 0,
+        };
+        if let Some(rows) = program.always_momentary.some(program.momentary) {
+            each::<P, Momentary>(rows, &mut showing);
+        }
+        tables.each_step(&mut showing);
+        let shown = showing.shown;
+        if let Some(only) = only {
+            self.memory.put_word(usize::from(only), shown);
         }
         for Dependent { owner, statement } in program.dependent {
-            if owner.is_none_or(|step| self.memory.bit(step)) {
-                self.run_momentary_row(statement);
-            }
-        }
-    }
-
-    fn run_momentary_rows(&mut self, rows: Run) {
-        let tables = self.tables;
-        let program = tables.program();
-        if let Some(rows) = rows.some(program.momentary) {
-            for row in rows {
-                self.run_momentary_row(row);
-            }
-        }
-    }
-
-    fn run_momentary_row(&mut self, row: &Momentary) {
-        let tables = self.tables;
-        let program = tables.program();
-        if self.holds(&row.condition)
-            && let Some(targets) = row.targets.some(program.targets)
-        {
-            for target in targets {
-                if let Some(word) = self
-                    .memory
-                    .store
-                    .image_mut()
-                    .get_mut(usize::from(target.word))
-                {
-                    *word |= target.mask;
+            if owner.is_none_or(|step| self.memory.bit(step)) && self.holds(&statement.condition) {
+                for target in statement.targets.of(program.targets) {
+                    self.memory.raise(*target);
                 }
             }
         }
+        // Triggers of the next scan see them as this one leaves them.
+        let changed = match only {
+            Some(only) => self.memory.word(usize::from(only)) != before,
+            None => self.memory.shows_something_else(words),
+        };
+        if changed {
+            self.note_change();
+        }
     }
 
+    #[inline(always)]
     fn run_stored(&mut self, rows: Run) {
+        if rows.len > 0 {
+            self.run_rows(rows);
+        }
+    }
+
+    fn run_rows(&mut self, rows: Run) {
         let tables = self.tables;
         let program = tables.program();
-        let Some(rows) = rows.some(program.stored) else {
-            return;
-        };
         for Stored {
             assignment,
             condition,
-        } in rows
+        } in rows.of(program.stored)
         {
             if !self.holds(condition) {
                 continue;
@@ -160,26 +143,148 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
         }
     }
 
-    /// Visits in source order what steps do beside momentary actions.
-    fn for_each_duty(&mut self, which: Steps, mut visit: impl FnMut(&mut Self, &Duties)) {
+    /// Does in source order what steps do beside momentary actions.
+    #[inline(always)]
+    fn for_each_duty(&mut self, steps: Steps, part: Part) {
         let tables = self.tables;
+        let mut acting = Acting {
+            engine: self,
+            steps,
+            part,
+        };
+        tables.each_step(&mut acting);
+    }
+}
+
+/// One of the things in [`Duties`].
+#[derive(Clone, Copy)]
+enum Part {
+    /// Its time of activation.
+    Activated,
+    Stored,
+    OnActivation,
+    OnDeactivation,
+    OnEvent,
+}
+
+/// Does one thing for some steps.
+struct Acting<'e, P, M> {
+    engine: &'e mut Engine<P, M>,
+    steps: Steps,
+    part: Part,
+}
+
+impl<P: Compiled, M: Memory> VisitSteps for Acting<'_, P, M> {
+    #[inline(always)]
+    fn groups(&self, row: usize) -> u32 {
+        self.engine.memory.members(Set::Lively, row)
+    }
+
+    #[inline(always)]
+    fn choose(&mut self, place: usize, block: &Block) -> u32 {
+        let tables = self.engine.tables;
+        let first = usize::from(tables.program().layout.situations.start);
+        let memory = &self.engine.memory;
+        let now = memory.word(first + place);
+        let before = memory.store.before().get(place).copied().unwrap_or(0);
+        let steps = match self.steps {
+            Steps::Active => now,
+            Steps::Before => before,
+            Steps::Activated => now & !before,
+            Steps::Deactivated => before & !now,
+        };
+        steps
+            & match self.part {
+                Part::Activated => block.timed,
+                Part::Stored => block.stored,
+                Part::OnActivation => block.on_activation,
+                Part::OnDeactivation => block.on_deactivation,
+                Part::OnEvent => block.on_event,
+            }
+    }
+
+    #[inline(always)]
+    fn step(&mut self, step: &Step) {
+        let tables = self.engine.tables;
         let program = tables.program();
-        let first = usize::from(program.layout.situations.start);
-        for (place, block) in program.blocks.iter().enumerate() {
-            let now = self.memory.word(first + place);
-            let before = self.memory.store.before().get(place).copied().unwrap_or(0);
-            let steps = match which {
-                Steps::Active => now,
-                Steps::Before => before,
-                Steps::Activated => now & !before,
-                Steps::Deactivated => before & !now,
-            } & block.duties;
-            for bit in set_bits_of(steps) {
-                let step = program.steps.get(usize::from(block.first) + bit);
-                if let Some(duties) = step.and_then(|step| program.duties_of(step)) {
-                    visit(self, duties);
+        let Some(duties) = program.duties_of(step) else {
+            return;
+        };
+        match self.part {
+            Part::Activated => {
+                if let Some(stamp) = duties.activated {
+                    self.engine.memory.set_stamp(stamp, self.engine.now_ms);
                 }
             }
+            Part::Stored => self.engine.run_stored(duties.stored),
+            Part::OnActivation => self.engine.run_stored(duties.on_activation),
+            Part::OnDeactivation => self.engine.run_stored(duties.on_deactivation),
+            Part::OnEvent => {
+                for event in duties.on_event.of(program.events) {
+                    if self.engine.memory.bit(event.event) {
+                        self.engine.run_stored(event.stored);
+                    }
+                }
+            }
+        }
+    }
+
+    #[inline(always)]
+    fn leave(&mut self, _: usize) {}
+}
+
+/// Raises what momentary statements show.
+struct Showing<'e, P, M> {
+    engine: &'e mut Engine<P, M>,
+    /// The word of momentary variables, if there is but one.
+    only: Option<u16>,
+    shown: u32,
+}
+
+impl<P: Compiled, M: Memory> VisitSteps for Showing<'_, P, M> {
+    #[inline(always)]
+    fn groups(&self, row: usize) -> u32 {
+        self.engine.memory.members(Set::Lively, row)
+    }
+
+    #[inline(always)]
+    fn choose(&mut self, place: usize, block: &Block) -> u32 {
+        let tables = self.engine.tables;
+        let first = usize::from(tables.program().layout.situations.start);
+        self.engine.memory.word(first + place) & block.momentary
+    }
+
+    #[inline(always)]
+    fn step(&mut self, step: &Step) {
+        let tables = self.engine.tables;
+        if let Some(rows) = step.momentary.some(tables.program().momentary) {
+            each::<P, Momentary>(rows, self);
+        }
+    }
+
+    #[inline(always)]
+    fn leave(&mut self, _: usize) {}
+}
+
+impl<P: Compiled, M: Memory> Visit<Momentary> for Showing<'_, P, M> {
+    #[inline(always)]
+    fn row(&mut self, row: &Momentary) {
+        let tables = self.engine.tables;
+        if self.engine.holds(&row.condition)
+            && let Some(targets) = row.targets.some(tables.program().targets)
+        {
+            each::<P, Target>(targets, self);
+        }
+    }
+}
+
+impl<P: Compiled, M: Memory> Visit<Target> for Showing<'_, P, M> {
+    #[inline(always)]
+    fn row(&mut self, target: &Target) {
+        if self.only == Some(target.word) {
+            self.shown |= target.mask;
+        } else {
+            self.engine.memory.raise(*target);
         }
     }
 }

@@ -20,11 +20,3 @@ pub(crate) fn set_bits_of(word: u32) -> impl Iterator<Item = usize> {
         Some(bit)
     })
 }
-
-/// Clears words: mostly it is one, and for one a call to clear memory is long.
-pub(crate) fn clear(words: &mut [u32]) {
-    match words {
-        [word] => *word = 0,
-        words => words.fill(0),
-    }
-}

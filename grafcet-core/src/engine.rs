@@ -1,6 +1,5 @@
 //! One scan at a time: the phases of `semantics.md` in their order.
 
-use crate::bits::clear;
 use crate::memory::{Bank, Memory, NEVER};
 use crate::program::{Bit, Compiled, Evolution, Number, Program, Slot};
 use crate::watch::Pass;
@@ -12,34 +11,21 @@ pub const MAX_ROUNDS: u32 = 100;
 ///
 /// Between scans, inputs and parameters are written and everything can be read; during one, nothing else is looked
 /// at. Scan 0 is [`Engine::start`]; each later scan is one call of [`Engine::scan`] with its time stamp.
+// What every scan reads lies in front, where one instruction of a small processor reaches it.
+#[repr(C)]
 #[derive(Debug)]
 pub struct Engine<P, M> {
     pub(crate) tables: P,
-    pub(crate) memory: Bank<M>,
-    /// Whether the next scan can differ from the one before.
-    pub(crate) news: News,
-    /// When the next timer runs out that the latest scan has found running, in ms since scan 0.
-    pub(crate) due_ms: u64,
+    /// Scans before this time, in ms since scan 0, are idle. It is 0 when the next one finds something new, otherwise
+    /// when the next timer runs out that the latest scan has found running.
+    pub(crate) idle_until_ms: u64,
     /// The time stamp of the scan, in ms since scan 0.
     pub(crate) now_ms: u64,
     /// The situations are on the move and phase 5 has not timed the new ones yet.
     pub(crate) settling: bool,
-    /// The latest round marked transitions.
-    marked: bool,
-    /// Momentary variables may have been written from outside.
-    restate: bool,
-}
-
-/// What a scan would find new. The greatest of several news counts.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(crate) enum News {
-    /// Exactly what the scan before found: the same inputs, situations and values, which changed nothing.
-    None,
-    /// Something that the scan before has changed.
-    Changed,
-    /// New inputs, parameters or the end of a timer: what it makes of them is seen by the scan after it as well,
-    /// since a trigger sees momentary variables as the scan before left them.
-    Fresh,
+    /// The next scan is the first behind scan 0, or variables have been written from outside.
+    unusual: bool,
+    pub(crate) memory: Bank<M>,
 }
 
 impl<P: Compiled, M: Memory> Engine<P, M> {
@@ -47,13 +33,11 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
     pub fn new(tables: P, store: M) -> Self {
         let mut engine = Engine {
             tables,
-            memory: Bank { store },
-            news: News::Fresh,
-            due_ms: NEVER,
+            idle_until_ms: 0,
             now_ms: 0,
             settling: false,
-            marked: true,
-            restate: false,
+            unusual: true,
+            memory: Bank { store },
         };
         let program = tables.program();
         engine.memory.clear();
@@ -109,7 +93,7 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
     pub fn set_overruns(&mut self, overruns: u32) {
         let overruns = i32::try_from(overruns).unwrap_or(i32::MAX);
         if self.memory.put_number(Number::OVERRUNS, overruns) {
-            self.news = News::Fresh;
+            self.note_change();
         }
     }
 
@@ -117,9 +101,13 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
     pub fn set_input(&mut self, bit: Bit, value: bool) {
         let tables = self.tables;
         let program = tables.program();
-        let is_input = program.layout.inputs.indices().contains(&bit.word());
-        if is_input && self.memory.put_bit(bit, value) {
-            self.news = News::Fresh;
+        let words = program.layout.inputs;
+        if !words.indices().contains(&bit.word()) || !self.memory.put_bit(bit, value) {
+            return;
+        }
+        let read = program.read_inputs.get(bit.word() - words.indices().start);
+        if read.is_some_and(|read| read & bit.mask() != 0) {
+            self.note_change();
         }
     }
 
@@ -129,10 +117,16 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
     pub fn set_inputs(&mut self, place: u16, inputs: u32) {
         let tables = self.tables;
         let program = tables.program();
-        let words = program.layout.inputs;
-        let word = usize::from(words.start) + usize::from(place);
-        if place < words.len && self.memory.put_word(word, inputs) {
-            self.news = News::Fresh;
+        let word = usize::from(program.layout.inputs.start) + usize::from(place);
+        let Some(read) = program.read_inputs.get(usize::from(place)) else {
+            return;
+        };
+        let Some(word) = self.memory.store.image_mut().get_mut(word) else {
+            return;
+        };
+        let changed = core::mem::replace(word, inputs) ^ inputs;
+        if changed & read != 0 {
+            self.note_change();
         }
     }
 
@@ -153,7 +147,7 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
             self.count_arithmetic_fault();
         }
         if self.memory.put_number(number, value) || crossed {
-            self.news = News::Fresh;
+            self.note_change();
         }
     }
 
@@ -171,8 +165,8 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
             Slot::Bit(bit) => self.set_bit(bit, value != 0),
             Slot::Number(number) => self.store_number(number, value),
         }
-        self.news = News::Fresh;
-        self.restate = true;
+        self.note_change();
+        self.unusual = true;
     }
 
     /// Scan 0: initialisation, at time 0.
@@ -180,14 +174,19 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
         let tables = self.tables;
         let program = tables.program();
         self.now_ms = 0;
-        self.due_ms = NEVER;
         self.memory.raise_bit(Bit::FIRST_SCAN);
         self.take_initial_situations();
         self.settling = true;
+        if !self.has_hierarchy() {
+            // These are the situations already.
+            self.stamp_activations();
+        }
         self.watch_inputs(Pass::Start);
         self.watch(program.trigger_watches, Pass::Start);
-        self.settle_hierarchy(Pass::Start);
-        self.stamp_activations();
+        if self.has_hierarchy() {
+            self.settle_hierarchy(Pass::Start);
+            self.stamp_activations();
+        }
         self.settling = false;
         self.watch(program.round_watches, Pass::Start);
         self.watch(program.action_watches, Pass::Start);
@@ -195,44 +194,84 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
         self.run_lasting();
         self.run_momentary();
         self.memory.forget_start();
-        self.news = News::Fresh;
+        self.unusual = true;
+        self.note_change();
     }
 
-    /// Scan k > 0, at its scheduled release time in ms since scan 0. Times must not descend.
+    /// Scan k > 0, at its scheduled release time in ms since scan 0, below 2^62. Times must not descend.
     ///
     /// False when it was an idle one: no input is new, no timer has run out and the scan before has changed nothing,
     /// so that this one would find and do exactly the same. Nothing is evaluated then, and nothing needs writing.
     #[inline]
     pub fn scan(&mut self, time_ms: u64) -> bool {
-        if self.news == News::None && time_ms < self.due_ms {
-            return false;
+        let idle = self.is_idle(time_ms);
+        if !idle {
+            self.scan_apart(time_ms);
         }
-        self.full_scan(time_ms);
-        true
+        !idle
     }
 
+    /// Kept apart from what calls [`Engine::scan`], which mostly is an idle one.
     #[inline(never)]
-    fn full_scan(&mut self, time_ms: u64) {
+    fn scan_apart(&mut self, time_ms: u64) {
+        self.full_scan(time_ms);
+    }
+
+    /// Whether a scan at that time would be an idle one.
+    #[inline(always)]
+    pub fn is_idle(&self, time_ms: u64) -> bool {
+        if self.is_timed() {
+            time_ms < self.idle_until_ms
+        } else {
+            self.idle_until_ms != 0
+        }
+    }
+
+    /// Whether the situations are on the move, which they are at a time of their own only in a hierarchy.
+    #[inline(always)]
+    pub(crate) fn is_settling(&self) -> bool {
+        self.has_hierarchy() && self.settling
+    }
+
+    /// Whether a graph forces or encloses another.
+    #[inline(always)]
+    fn has_hierarchy(&self) -> bool {
+        !self.memory.store.standings().is_empty()
+    }
+
+    /// Whether the program has timers.
+    #[inline(always)]
+    fn is_timed(&self) -> bool {
+        !self.memory.store.stamps().is_empty()
+    }
+
+    /// A scan that is not idle, or as if it was not.
+    #[inline]
+    pub fn full_scan(&mut self, time_ms: u64) {
         let tables = self.tables;
         let program = tables.program();
-        let fresh = self.news == News::Fresh || time_ms >= self.due_ms;
-        self.news = if fresh { News::Changed } else { News::None };
-        self.due_ms = NEVER;
-        self.now_ms = time_ms;
-        self.memory.clear_bit(Bit::FIRST_SCAN);
+        // What changes from here on, or waits for its time, puts an end to this.
+        self.idle_until_ms = NEVER;
+        if self.is_timed() {
+            self.now_ms = time_ms;
+        }
+        let unusual = core::mem::take(&mut self.unusual);
+        if unusual {
+            self.memory.clear_bit(Bit::FIRST_SCAN);
+        }
         let moved = match program.evolution {
             Evolution::Scan => self.evolve_once(),
             Evolution::Stable => self.evolve_until_stable(),
         };
         self.run_lasting();
-        if moved || program.momentary_varies || self.restate {
-            self.restate = false;
+        if moved || program.momentary_varies || unusual {
             self.run_momentary();
         }
     }
 
     /// Phases 2 to 6, but for the statements that follow no change. True when a transition has fired or a situation
     /// has changed.
+    #[inline(always)]
     fn evolve_once(&mut self) -> bool {
         let tables = self.tables;
         let program = tables.program();
@@ -245,22 +284,24 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
     }
 
     /// Phases 2 to 5, once. True when a transition has fired or a situation has changed.
+    #[inline(always)]
     fn evolve(&mut self, pass: Pass) -> bool {
         let tables = self.tables;
         let program = tables.program();
+        if self.has_hierarchy() {
+            // It is. Here the compiler learns it, and that timers of triggers need no second look.
+            self.settling = false;
+        }
         self.watch_inputs(pass);
         self.watch(program.trigger_watches, pass);
         self.memory.remember_macros(&program.layout);
-        if self.marked {
-            clear(self.memory.store.fired_mut());
-        }
-        self.marked = self.mark_fired();
-        let mut moved = self.marked;
-        if self.marked {
+        self.clear_marks();
+        let mut moved = self.mark_fired();
+        if moved {
             self.fire();
             self.refresh_macros();
         }
-        if !self.memory.store.standings().is_empty() {
+        if self.has_hierarchy() {
             self.settling = true;
             self.settle_hierarchy(pass);
             moved = self.any_fired() || self.any_changed();
@@ -269,7 +310,9 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
             self.note_change();
             self.stamp_activations();
         }
-        self.settling = false;
+        if self.has_hierarchy() {
+            self.settling = false;
+        }
         moved
     }
 
@@ -337,8 +380,9 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
     }
 
     /// Notes that the next scan may find something else than this one.
+    #[inline(always)]
     pub(crate) fn note_change(&mut self) {
-        self.news = self.news.max(News::Changed);
+        self.idle_until_ms = 0;
     }
 
     fn clamp(&self, number: Number, value: i32) -> i32 {

@@ -3,84 +3,55 @@
 use crate::bits::set_bits_of;
 use crate::engine::Engine;
 use crate::memory::Memory;
-use crate::program::{Compiled, Crossing, Run, Transition};
+use crate::program::{Arm, Block, Compiled, Crossing, Graph, Run, Step, Transition};
+use crate::sets::{GROUP, Set, rows};
+use crate::walk::{Visit, VisitSteps, each};
 
 impl<P: Compiled, M: Memory> Engine<P, M> {
     /// Marks every armed transition whose trigger is True, and tells whether there is one. The situations stay as
     /// they are meanwhile, so that all transitions see the same one; the next ones are made beside them.
+    #[inline(always)]
     pub(crate) fn mark_fired(&mut self) -> bool {
         let tables = self.tables;
         let program = tables.program();
-        let first = usize::from(program.layout.situations.start);
-        let mut any = false;
-        for (place, block) in program.blocks.iter().enumerate() {
-            let now = self.memory.word(first + place);
-            let mut marked = Marked::default();
-            for bit in set_bits_of(now) {
-                if let Some(step) = program.steps.get(usize::from(block.first) + bit) {
-                    self.mark_run(step.arms, &mut marked);
+        let mut marking = Marking {
+            engine: self,
+            any: false,
+            now: 0,
+            leaves: 0,
+            enters: 0,
+            lively: 0,
+        };
+        tables.each_step(&mut marking);
+        for graph in program.sources {
+            if let Some(graph) = program.graphs.get(usize::from(*graph)) {
+                marking.sources(graph);
+            }
+        }
+        let any = marking.any;
+        match self.memory.store.fired() {
+            [marks] => *marks != 0,
+            _ => any,
+        }
+    }
+
+    /// Takes back all marks.
+    #[inline(always)]
+    pub(crate) fn clear_marks(&mut self) {
+        if let [marks] = self.memory.store.fired_mut() {
+            // Cheaper than a look whether it has to be.
+            *marks = 0;
+        } else if self.memory.has_sets() {
+            for row in 0..rows(self.memory.store.fired().len()) {
+                for bit in set_bits_of(self.memory.take_marked(row)) {
+                    let mut marks = self.memory.store.fired_mut().chunks_mut(GROUP);
+                    if let Some(marks) = marks.nth(row * 32 + bit) {
+                        marks.fill(0);
+                    }
                 }
             }
-            any |= marked.any;
-            let next = now & !marked.leaves | marked.enters;
-            if let Some(word) = self.memory.store.before_mut().get_mut(place) {
-                *word = next;
-            }
-        }
-        any | self.mark_sources()
-    }
-
-    /// A transition without entrance steps is always armed while its graph is alive.
-    fn mark_sources(&mut self) -> bool {
-        let tables = self.tables;
-        let program = tables.program();
-        let mut any = false;
-        for graph in program.sources {
-            let graph = program.graphs.get(usize::from(*graph));
-            let Some(graph) = graph.filter(|graph| self.is_alive(graph)) else {
-                continue;
-            };
-            let mut marked = Marked::default();
-            self.mark_run(graph.sources, &mut marked);
-            any |= marked.any;
-            let place = graph
-                .words
-                .start
-                .saturating_sub(program.layout.situations.start);
-            let word = self.memory.store.before_mut().get_mut(usize::from(place));
-            if let Some(word) = word {
-                *word |= marked.enters;
-            }
-        }
-        any
-    }
-
-    fn mark_run(&mut self, arms: Run, marked: &mut Marked) {
-        let tables = self.tables;
-        let program = tables.program();
-        let Some(arms) = arms.some(program.arms) else {
-            return;
-        };
-        for arm in arms {
-            let word = self.memory.store.image().get(usize::from(arm.word));
-            if word.is_none_or(|word| word & arm.mask != arm.state) {
-                continue;
-            }
-            let row = usize::from(arm.transition);
-            let Some(transition) = program.transitions.get(row) else {
-                continue;
-            };
-            if self.holds(&transition.fires) {
-                self.mark(row);
-                marked.add(&transition.crossing);
-            }
-        }
-    }
-
-    fn mark(&mut self, transition: usize) {
-        let word = self.memory.store.fired_mut().get_mut(transition / 32);
-        if let Some(word) = word {
-            *word |= 1 << (transition % 32);
+        } else {
+            self.memory.store.fired_mut().fill(0);
         }
     }
 
@@ -94,15 +65,7 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
             self.cross(|entrance, _| entrance, |word, bit| word & !bit);
             self.cross(|_, exit| exit, |word, bit| word | bit);
         }
-        let first = usize::from(program.layout.situations.start);
-        for place in 0..program.blocks.len() {
-            let now = self.memory.word(first + place);
-            let next = self.memory.store.before_mut().get_mut(place);
-            if let Some(next) = next {
-                let next = core::mem::replace(next, now);
-                self.memory.put_word(first + place, next);
-            }
-        }
+        tables.each_step(&mut Exchanging { engine: self });
     }
 
     /// Changes the next situation by the steps on one side of every marked transition of a graph with many steps.
@@ -119,6 +82,7 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
                     .saturating_sub(usize::from(program.layout.situations.start));
                 if let Some(word) = engine.memory.store.before_mut().get_mut(place) {
                     *word = change(*word, step.mask());
+                    engine.memory.insert(Set::Lively, place);
                 }
             }
         });
@@ -128,11 +92,17 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
     pub(crate) fn for_each_fired(&mut self, mut visit: impl FnMut(&mut Self, &Transition)) {
         let tables = self.tables;
         let program = tables.program();
-        for word in 0..self.memory.store.fired().len() {
-            let marks = self.memory.store.fired().get(word).copied().unwrap_or(0);
-            for bit in set_bits_of(marks) {
-                if let Some(transition) = program.transitions.get(word * 32 + bit) {
-                    visit(self, transition);
+        let words = self.memory.store.fired().len();
+        for row in 0..rows(words) {
+            for bit in set_bits_of(self.memory.members(Set::Marked, row)) {
+                let first = (row * 32 + bit) * GROUP;
+                for word in first..words.min(first + GROUP) {
+                    let marks = self.memory.store.fired().get(word).copied().unwrap_or(0);
+                    for bit in set_bits_of(marks) {
+                        if let Some(transition) = program.transitions.get(word * 32 + bit) {
+                            visit(self, transition);
+                        }
+                    }
                 }
             }
         }
@@ -153,20 +123,149 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
     }
 }
 
-/// What the marked transitions of one graph do to its word.
-#[derive(Default)]
-struct Marked {
-    any: bool,
-    leaves: u32,
-    enters: u32,
+/// Makes the next situations those of now, and those of now the ones before.
+struct Exchanging<'e, P, M> {
+    engine: &'e mut Engine<P, M>,
 }
 
-impl Marked {
-    fn add(&mut self, crossing: &Crossing) {
+impl<P: Compiled, M: Memory> VisitSteps for Exchanging<'_, P, M> {
+    #[inline(always)]
+    fn groups(&self, row: usize) -> u32 {
+        self.engine.memory.members(Set::Lively, row)
+    }
+
+    #[inline(always)]
+    fn choose(&mut self, place: usize, _: &Block) -> u32 {
+        let tables = self.engine.tables;
+        let word = usize::from(tables.program().layout.situations.start) + place;
+        let memory = &mut self.engine.memory;
+        let now = memory.word(word);
+        if let Some(next) = memory.store.before_mut().get_mut(place) {
+            let next = core::mem::replace(next, now);
+            memory.put_word(word, next);
+        }
+        0
+    }
+
+    #[inline(always)]
+    fn step(&mut self, _: &Step) {}
+
+    #[inline(always)]
+    fn leave(&mut self, _: usize) {}
+}
+
+/// Looks at armed transitions.
+struct Marking<'e, P, M> {
+    engine: &'e mut Engine<P, M>,
+    any: bool,
+    /// The steps of the word that is being looked at.
+    now: u32,
+    /// What the marked transitions do to it.
+    leaves: u32,
+    enters: u32,
+    /// All steps of a group of words, one word upon the other.
+    lively: u32,
+}
+
+impl<P: Compiled, M: Memory> Marking<'_, P, M> {
+    #[inline(always)]
+    fn arms(&mut self, arms: Run) {
+        let tables = self.engine.tables;
+        if let Some(arms) = arms.some(tables.program().arms) {
+            each::<P, Arm>(arms, self);
+        }
+    }
+
+    #[inline(always)]
+    fn mark(&mut self, transition: usize) {
         self.any = true;
-        if let Crossing::Within { leaves, enters } = crossing {
-            self.leaves |= leaves;
-            self.enters |= enters;
+        let memory = &mut self.engine.memory;
+        let Some(word) = memory.store.fired_mut().get_mut(transition / 32) else {
+            return;
+        };
+        let is_first = *word == 0;
+        *word |= 1 << (transition % 32);
+        if is_first {
+            memory.insert(Set::Marked, transition / 32);
+        }
+    }
+
+    /// A transition without entrance steps is always armed while its graph is alive.
+    fn sources(&mut self, graph: &Graph) {
+        if !self.engine.is_alive(graph) {
+            return;
+        }
+        let tables = self.engine.tables;
+        self.enters = 0;
+        self.arms(graph.sources);
+        let first = tables.program().layout.situations.start;
+        let place = usize::from(graph.words.start.saturating_sub(first));
+        let memory = &mut self.engine.memory;
+        if let Some(word) = memory.store.before_mut().get_mut(place) {
+            *word |= self.enters;
+            memory.insert(Set::Lively, place);
+        }
+    }
+}
+
+impl<P: Compiled, M: Memory> VisitSteps for Marking<'_, P, M> {
+    #[inline(always)]
+    fn groups(&self, row: usize) -> u32 {
+        self.engine.memory.members(Set::Lively, row)
+    }
+
+    #[inline(always)]
+    fn choose(&mut self, place: usize, _: &Block) -> u32 {
+        let tables = self.engine.tables;
+        let first = usize::from(tables.program().layout.situations.start);
+        self.now = self.engine.memory.word(first + place);
+        self.leaves = 0;
+        self.enters = 0;
+        self.now
+    }
+
+    #[inline(always)]
+    fn step(&mut self, step: &Step) {
+        self.arms(step.arms);
+    }
+
+    #[inline(always)]
+    fn leave(&mut self, place: usize) {
+        let next = self.now & !self.leaves | self.enters;
+        let memory = &mut self.engine.memory;
+        if let Some(word) = memory.store.before_mut().get_mut(place) {
+            *word = next;
+        }
+        self.lively |= self.now | next;
+    }
+
+    #[inline(always)]
+    fn leave_group(&mut self, group: usize) {
+        let memory = &mut self.engine.memory;
+        if memory.has_sets() && core::mem::take(&mut self.lively) == 0 {
+            memory.let_sleep(group);
+        }
+    }
+}
+
+impl<P: Compiled, M: Memory> Visit<Arm> for Marking<'_, P, M> {
+    #[inline(always)]
+    fn row(&mut self, arm: &Arm) {
+        let tables = self.engine.tables;
+        let word = self.engine.memory.store.image().get(usize::from(arm.word));
+        if word.is_none_or(|word| word & arm.mask != arm.state) {
+            return;
+        }
+        let row = usize::from(arm.transition);
+        let Some(transition) = tables.program().transitions.get(row) else {
+            return;
+        };
+        if self.engine.holds(&transition.fires) {
+            self.mark(row);
+            if let Crossing::Within { leaves, enters } = transition.crossing {
+                self.leaves |= leaves;
+                self.enters |= enters;
+            }
         }
     }
 }

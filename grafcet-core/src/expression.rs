@@ -3,25 +3,32 @@
 use crate::engine::Engine;
 use crate::memory::{Memory, NEVER};
 use crate::program::{Bit, Code, Compiled, Condition, Op, Preset, Rest, Run, Stamp, Term, Unit};
+use crate::walk::{Visit, each};
 
 impl<P: Compiled, M: Memory> Engine<P, M> {
     /// Whether a condition holds now. Arithmetic that goes wrong on the way is counted.
+    #[inline(always)]
     pub(crate) fn holds(&mut self, condition: &Condition) -> bool {
         self.terms_hold(condition.terms) && self.rest_holds(condition.rest)
     }
 
     /// Whether all terms hold now.
+    #[inline(always)]
     fn terms_hold(&self, terms: Run) -> bool {
         let tables = self.tables;
-        let program = tables.program();
-        let image: &[u32] = self.memory.store.image();
-        match terms.some(program.terms) {
-            Some(terms) => terms.iter().all(|term| term.holds(image)),
-            None => true,
-        }
+        let Some(terms) = terms.some(tables.program().terms) else {
+            return true;
+        };
+        let mut asking = Asking {
+            image: self.memory.store.image(),
+            holds: true,
+        };
+        each::<P, Term>(terms, &mut asking);
+        asking.holds
     }
 
     /// Whether what a condition asks for beside its terms holds now.
+    #[inline(always)]
     fn rest_holds(&mut self, rest: Rest) -> bool {
         let tables = self.tables;
         let program = tables.program();
@@ -54,25 +61,17 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
         self.elapsed(risen, preset, unit)
     }
 
-    /// What a piece of code on Booleans leaves. The stack is a word, its top the lowest bit.
+    /// What a piece of code on Booleans leaves.
+    #[inline(always)]
     fn logic_of(&mut self, code: Code) -> bool {
         let tables = self.tables;
-        let program = tables.program();
-        let mut stack = 0_u32;
-        for op in code.of(program.ops) {
-            stack = match op {
-                Op::Bit(bit) => stack << 1 | u32::from(self.memory.bit(*bit)),
-                Op::Elapsed(timer) => stack << 1 | u32::from(self.has_elapsed(*timer)),
-                Op::Not => stack ^ 1,
-                Op::And => stack >> 1 & (stack | !1),
-                Op::Or => stack >> 1 | stack & 1,
-                Op::Xor => stack >> 1 ^ stack & 1,
-                Op::Constant(value) => stack << 1 | u32::from(*value != 0),
-                // Operations on numbers never come here.
-                _ => stack,
-            };
-        }
-        stack & 1 != 0
+        let ops = code.of(tables.program().ops);
+        let mut thinking = Thinking {
+            engine: self,
+            stack: 0,
+        };
+        each::<P, Op>(ops, &mut thinking);
+        thinking.stack & 1 != 0
     }
 
     /// The value that a piece of code leaves.
@@ -164,7 +163,7 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
         let tables = self.tables;
         let program = tables.program();
         let layout = &program.layout;
-        if self.settling && self.memory.bit(step) && !self.memory.was_active(layout, step) {
+        if self.is_settling() && self.memory.bit(step) && !self.memory.was_active(layout, step) {
             self.now_ms
         } else {
             self.memory.stamp(activated)
@@ -174,27 +173,63 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
     /// Whether the preset has passed since a rise; if not, the next scan by then is no idle one. A rise that never
     /// was has no elapsed time.
     pub(crate) fn elapsed(&mut self, risen_ms: u64, preset: i32, unit: Unit) -> bool {
-        if risen_ms == NEVER {
-            return false;
-        }
         // A preset below zero has always passed.
         let Ok(preset) = u32::try_from(preset) else {
-            return true;
+            return risen_ms != NEVER;
         };
-        let due_ms = risen_ms.saturating_add(match unit {
+        let due_ms = risen_ms.wrapping_add(match unit {
             Unit::Milliseconds => u64::from(preset),
             Unit::Seconds => in_ms(preset),
         });
         if self.now_ms >= due_ms {
             return true;
         }
-        self.due_ms = self.due_ms.min(due_ms);
+        self.idle_until_ms = self.idle_until_ms.min(due_ms);
         false
+    }
+}
+
+/// Executes code on Booleans.
+struct Thinking<'e, P, M> {
+    engine: &'e mut Engine<P, M>,
+    /// The stack is a word, its top the lowest bit.
+    stack: u32,
+}
+
+impl<P: Compiled, M: Memory> Visit<Op> for Thinking<'_, P, M> {
+    #[inline(always)]
+    fn row(&mut self, op: &Op) {
+        let stack = self.stack;
+        self.stack = match op {
+            Op::Bit(bit) => stack << 1 | u32::from(self.engine.memory.bit(*bit)),
+            Op::Elapsed(timer) => stack << 1 | u32::from(self.engine.has_elapsed(*timer)),
+            Op::Not => stack ^ 1,
+            Op::And => stack >> 1 & (stack | !1),
+            Op::Or => stack >> 1 | stack & 1,
+            Op::Xor => stack >> 1 ^ stack & 1,
+            Op::Constant(value) => stack << 1 | u32::from(*value != 0),
+            // Operations on numbers never come here.
+            _ => stack,
+        };
+    }
+}
+
+/// Asks whether all of some terms hold.
+struct Asking<'a> {
+    image: &'a [u32],
+    holds: bool,
+}
+
+impl Visit<Term> for Asking<'_> {
+    #[inline(always)]
+    fn row(&mut self, term: &Term) {
+        self.holds = self.holds && term.holds(self.image);
     }
 }
 
 impl Term {
     /// Whether the bits of the image stand as they must.
+    #[inline(always)]
     pub(crate) fn holds(&self, image: &[u32]) -> bool {
         let word = image.get(usize::from(self.word));
         word.is_some_and(|word| word & self.mask == self.state)

@@ -2,8 +2,10 @@
 
 use crate::bits::set_bits_of;
 use crate::engine::Engine;
-use crate::memory::{Given, Memory, Standing};
-use crate::program::{Bit, Compiled, Enclosing, Forced, Graph, Run};
+use crate::memory::{Memory, Standing};
+use crate::program::{Bit, Compiled, Enclosing, Forced, Graph, Order, Run};
+use crate::sets::Set;
+use crate::walk::{Visit, each};
 use crate::watch::Pass;
 
 /// Where a graph takes its situation from.
@@ -59,7 +61,7 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
             return;
         }
         for standing in self.memory.store.standings_mut().iter_mut() {
-            standing.order = None;
+            standing.order = 0;
         }
         for &index in program.hierarchy {
             let Some(graph) = program.graphs.get(usize::from(index)) else {
@@ -67,11 +69,11 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
             };
             self.watch(graph.self_watches, pass);
             // An order of a superior stands against these, whose conditions are evaluated all the same.
-            self.give_orders(graph.self_orders, index);
+            self.give_orders(graph.self_orders);
             self.settle(graph, index, pass);
             self.watch(graph.watches, pass);
-            self.give_orders(graph.orders, index);
-            self.give_orders_of_steps(graph, index);
+            self.give_orders(graph.orders);
+            self.give_orders_of_steps(graph);
         }
     }
 
@@ -79,7 +81,7 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
         let standing = self.standing(index);
         let decision = self.decide(graph, &standing, pass);
         let void = !matches!(decision, Decision::Own);
-        let held = standing.order.is_some() && self.is_alive(graph);
+        let held = standing.order != 0 && self.is_alive(graph);
         match decision {
             Decision::Empty => self.empty(graph),
             Decision::Set(situation) => self.take(graph, situation),
@@ -116,8 +118,8 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
         if !self.is_alive(graph) {
             return Decision::Empty;
         }
-        if let Some(given) = standing.order {
-            return match given.situation {
+        if let Some(order) = self.order(standing.order) {
+            return match order.situation {
                 Forced::Set(situation) => Decision::Set(situation),
                 Forced::Current => Decision::Before,
             };
@@ -184,12 +186,17 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
     }
 
     fn set_word(&mut self, word: usize, value: u32) {
+        let tables = self.tables;
+        let first = usize::from(tables.program().layout.situations.start);
+        if value != 0 {
+            self.memory.insert(Set::Lively, word.saturating_sub(first));
+        }
         if let Some(word) = self.memory.store.image_mut().get_mut(word) {
             *word = value;
         }
     }
 
-    fn give_orders_of_steps(&mut self, graph: &Graph, by: u16) {
+    fn give_orders_of_steps(&mut self, graph: &Graph) {
         let tables = self.tables;
         let program = tables.program();
         let steps = graph.steps.of(program.steps);
@@ -197,39 +204,31 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
             for bit in set_bits_of(self.memory.word(word)) {
                 let step = steps.get(offset * 32 + bit);
                 if let Some(duties) = step.and_then(|step| program.duties_of(step)) {
-                    self.give_orders(duties.orders, by);
+                    self.give_orders(duties.orders);
                 }
             }
         }
     }
 
     /// Of two valid orders that of the graph taken first wins, within one graph the later statement.
-    fn give_orders(&mut self, orders: Run, by: u16) {
+    fn give_orders(&mut self, orders: Run) {
         let tables = self.tables;
-        let program = tables.program();
-        for order in orders.of(program.orders) {
-            if !self.holds(&order.condition) {
-                continue;
-            }
-            let Some(standing) = self
-                .memory
-                .store
-                .standings_mut()
-                .get_mut(usize::from(order.graph))
-            else {
-                continue;
-            };
-            let wins = standing
-                .order
-                .is_none_or(|best| best.by == by && best.rank <= order.rank);
-            if wins {
-                standing.order = Some(Given {
-                    by,
-                    rank: order.rank,
-                    situation: order.situation,
-                });
-            }
+        if let Some(rows) = orders.some(tables.program().orders) {
+            let first = orders.start.saturating_add(1);
+            each::<P, Order>(
+                rows,
+                &mut Giving {
+                    engine: self,
+                    row: first,
+                },
+            );
         }
+    }
+
+    /// A row of the orders, counted from 1.
+    fn order(&self, row: u16) -> Option<&Order> {
+        let row = usize::from(row).checked_sub(1)?;
+        self.tables.program().orders.get(row)
     }
 
     fn standing(&self, graph: u16) -> Standing {
@@ -268,6 +267,35 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
                 .word(usize::from(graph.words.start) + place / 32);
             word & (1 << (place % 32)) != 0
         })
+    }
+}
+
+/// Gives orders whose conditions hold.
+struct Giving<'e, P, M> {
+    engine: &'e mut Engine<P, M>,
+    /// The next one, counted from 1.
+    row: u16,
+}
+
+impl<P: Compiled, M: Memory> Visit<Order> for Giving<'_, P, M> {
+    #[inline(always)]
+    fn row(&mut self, order: &Order) {
+        let row = self.row;
+        self.row = row.saturating_add(1);
+        if !self.engine.holds(&order.condition) {
+            return;
+        }
+        let best = self.engine.standing(order.graph).order;
+        let wins = match self.engine.order(best) {
+            Some(best) => best.by == order.by && best.rank <= order.rank,
+            None => true,
+        };
+        let standings = self.engine.memory.store.standings_mut();
+        if let Some(standing) = standings.get_mut(usize::from(order.graph))
+            && wins
+        {
+            standing.order = row;
+        }
     }
 }
 

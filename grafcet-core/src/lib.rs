@@ -33,10 +33,12 @@ pub mod images;
 #[macro_use]
 pub mod memory;
 pub mod program;
+mod sets;
 pub mod soundness;
 #[cfg(feature = "alloc")]
 pub mod vectors;
 mod view;
+mod walk;
 mod watch;
 
 pub use engine::Engine;

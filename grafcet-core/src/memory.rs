@@ -1,123 +1,31 @@
 //! What changes while a program runs.
 
-use crate::program::{Bit, Forced, Layout, Number, Stamp};
+use crate::program::{Bit, Layout, Number, Run, Stamp, Target};
 
-/// A [`Stamp`] that never was.
-pub(crate) const NEVER: u64 = u64::MAX;
+/// A [`Stamp`] that never was: later than every time, with room for any preset behind it.
+pub(crate) const NEVER: u64 = u64::MAX / 2;
 
 /// How a graph stands in the hierarchy of forcing and enclosing (`semantics.md`, phase 4).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Standing {
-    /// The best order on the graph found so far in this round.
-    pub(crate) order: Option<Given>,
+    /// The best order on the graph found so far in this round: its row, counted from 1, or 0 when there is none.
+    pub(crate) order: u16,
     /// A valid order held in the round before, so the graph is not free yet.
     pub(crate) held: bool,
     /// Its own evolution of the latest round was void.
     pub(crate) void: bool,
 }
 
-/// A valid order, with what decides between two of them.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Given {
-    pub(crate) by: u16,
-    pub(crate) rank: u16,
-    pub(crate) situation: Forced,
-}
-
 impl Standing {
     /// Free, as before scan 0.
     pub const FREE: Standing = Standing {
-        order: None,
+        order: 0,
         held: false,
         void: false,
     };
 }
 
-/// The memory of one program, sized at build time: on a microcontroller a static.
-///
-/// The image comes first and the numbers follow, so that a tool that looks into RAM finds them.
-#[repr(C)]
-#[derive(Debug)]
-pub struct Storage<
-    const WORDS: usize,
-    const NUMBERS: usize,
-    const SITUATION_WORDS: usize,
-    const REMEMBERED: usize,
-    const STAMPS: usize,
-    const STACK: usize,
-    const FIRED: usize,
-    const PASSED: usize,
-    const STANDINGS: usize,
-> {
-    image: [u32; WORDS],
-    numbers: [i32; NUMBERS],
-    before: [u32; SITUATION_WORDS],
-    before_scan: [u32; REMEMBERED],
-    fired: [u32; FIRED],
-    passed: [u32; PASSED],
-    stack: [i32; STACK],
-    stamps: [u64; STAMPS],
-    standings: [Standing; STANDINGS],
-}
-
-impl<
-    const WORDS: usize,
-    const NUMBERS: usize,
-    const SITUATION_WORDS: usize,
-    const REMEMBERED: usize,
-    const STAMPS: usize,
-    const STACK: usize,
-    const FIRED: usize,
-    const PASSED: usize,
-    const STANDINGS: usize,
-> Storage<WORDS, NUMBERS, SITUATION_WORDS, REMEMBERED, STAMPS, STACK, FIRED, PASSED, STANDINGS>
-{
-    /// Memory in which nothing has happened.
-    #[must_use]
-    pub const fn new() -> Self {
-        Storage {
-            image: [0; WORDS],
-            numbers: [0; NUMBERS],
-            before: [0; SITUATION_WORDS],
-            before_scan: [0; REMEMBERED],
-            fired: [0; FIRED],
-            passed: [0; PASSED],
-            stack: [0; STACK],
-            stamps: [NEVER; STAMPS],
-            standings: [Standing::FREE; STANDINGS],
-        }
-    }
-}
-
-impl<
-    const WORDS: usize,
-    const NUMBERS: usize,
-    const SITUATION_WORDS: usize,
-    const REMEMBERED: usize,
-    const STAMPS: usize,
-    const STACK: usize,
-    const FIRED: usize,
-    const PASSED: usize,
-    const STANDINGS: usize,
-> Default
-    for Storage<
-        WORDS,
-        NUMBERS,
-        SITUATION_WORDS,
-        REMEMBERED,
-        STAMPS,
-        STACK,
-        FIRED,
-        PASSED,
-        STANDINGS,
-    >
-{
-    fn default() -> Self {
-        Self::new()
-    }
-}
-
-/// The memory of one program: a [`Storage`], or vectors on a host.
+/// The memory of one program: what [`storage!`](crate::storage) makes, or vectors on a host.
 ///
 /// The lengths that a program needs are in its [`Layout`]; with less room nothing panics, and what has none reads as
 /// False and 0.
@@ -159,22 +67,115 @@ pub trait Memory {
     fn standings(&self) -> &[Standing];
     /// The same, to be written.
     fn standings_mut(&mut self) -> &mut [Standing];
+    /// What momentary variables were before phase 7, when they have more than a word. [`Layout::shown`] words.
+    fn shown(&self) -> &[u32];
+    /// The same, to be written.
+    fn shown_mut(&mut self) -> &mut [u32];
+    /// Which words hold anything. [`Layout::sets`] words, or none: everything is looked at then.
+    fn sets(&self) -> &[u32];
+    /// The same, to be written.
+    fn sets_mut(&mut self) -> &mut [u32];
 }
 
-/// Writes the methods of [`Memory`] in one of the two ways below.
-macro_rules! memory_methods {
-    ($way:ident) => {
-        $way! {
-            image image_mut u32, numbers numbers_mut i32, before before_mut u32, before_scan before_scan_mut u32,
-            fired fired_mut u32, passed passed_mut u32, stack stack_mut i32, stamps stamps_mut u64,
-            standings standings_mut Standing
+/// Defines the memory of one program, sized at build time: on a microcontroller the type of a static.
+///
+/// The image comes first and the numbers follow, so that a tool that looks into RAM finds them. What the lengths mean
+/// is said at the methods of [`Memory`](crate::memory::Memory). `is_sized_for` tells whether they are those that a
+/// program asks for.
+///
+/// ```
+/// grafcet_core::storage!(Storage {
+///     image: 7, numbers: 2, before: 1, before_scan: 0, fired: 1, passed: 0, stack: 0, stamps: 1, standings: 0,
+///     shown: 0, sets: 0
+/// });
+/// static STORAGE: Storage = Storage::new();
+/// ```
+#[macro_export]
+macro_rules! storage {
+    ($name:ident {
+        image: $image:literal, numbers: $numbers:literal, before: $before:literal, before_scan: $before_scan:literal,
+        fired: $fired:literal, passed: $passed:literal, stack: $stack:literal, stamps: $stamps:literal,
+        standings: $standings:literal, shown: $shown:literal, sets: $sets:literal
+    }) => {
+        /// The memory of the program.
+        #[repr(C)]
+        #[derive(Debug)]
+        pub struct $name {
+            image: [u32; $image],
+            numbers: [i32; $numbers],
+            before: [u32; $before],
+            before_scan: [u32; $before_scan],
+            fired: [u32; $fired],
+            passed: [u32; $passed],
+            stack: [i32; $stack],
+            stamps: [u64; $stamps],
+            standings: [$crate::memory::Standing; $standings],
+            shown: [u32; $shown],
+            sets: [u32; $sets],
+        }
+
+        impl $name {
+            /// Memory with nothing in it; an engine makes of it what it is before scan 0.
+            #[must_use]
+            pub const fn new() -> Self {
+                $name {
+                    image: [0; $image],
+                    numbers: [0; $numbers],
+                    before: [0; $before],
+                    before_scan: [0; $before_scan],
+                    fired: [0; $fired],
+                    passed: [0; $passed],
+                    stack: [0; $stack],
+                    stamps: [0; $stamps],
+                    standings: [$crate::memory::Standing::FREE; $standings],
+                    shown: [0; $shown],
+                    sets: [0; $sets],
+                }
+            }
+
+            /// True when the memory has exactly the places that the program's layout asks for.
+            #[must_use]
+            pub const fn is_sized_for(program: &$crate::program::Program<'_>) -> bool {
+                let layout = &program.layout;
+                $image == layout.words as usize
+                    && $numbers == layout.numbers as usize
+                    && $before == layout.situation_words()
+                    && $before_scan == layout.remembered as usize
+                    && $fired == layout.fired as usize
+                    && $passed == layout.passed as usize
+                    && $stack == layout.stack as usize
+                    && $stamps == layout.stamps as usize
+                    && $standings == layout.standings as usize
+                    && $shown == layout.shown as usize
+                    && $sets == layout.sets as usize
+            }
+        }
+
+        impl Default for $name {
+            fn default() -> Self {
+                Self::new()
+            }
+        }
+
+        impl $crate::memory::Memory for $name {
+            $crate::memory_methods!(fields);
         }
     };
 }
 
-/// For a type with fields of the same names.
-macro_rules! in_fields {
-    ($($field:ident $field_mut:ident $type:ty),*) => {$(
+/// Writes the methods of [`Memory`], for a type with fields of their names or for a reference to another memory.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! memory_methods {
+    ($way:ident) => {
+        $crate::memory_methods! {
+            @$way image image_mut u32, numbers numbers_mut i32, before before_mut u32,
+            before_scan before_scan_mut u32, fired fired_mut u32, passed passed_mut u32, stack stack_mut i32,
+            stamps stamps_mut u64, standings standings_mut $crate::memory::Standing, shown shown_mut u32,
+            sets sets_mut u32
+        }
+    };
+    (@fields $($field:ident $field_mut:ident $type:ty),*) => {$(
         #[inline(always)]
         fn $field(&self) -> &[$type] {
             &self.$field
@@ -184,11 +185,7 @@ macro_rules! in_fields {
             &mut self.$field
         }
     )*};
-}
-
-/// For a reference to another memory.
-macro_rules! in_target {
-    ($($field:ident $field_mut:ident $type:ty),*) => {$(
+    (@target $($field:ident $field_mut:ident $type:ty),*) => {$(
         #[inline(always)]
         fn $field(&self) -> &[$type] {
             (**self).$field()
@@ -200,34 +197,8 @@ macro_rules! in_target {
     )*};
 }
 
-impl<
-    const WORDS: usize,
-    const NUMBERS: usize,
-    const SITUATION_WORDS: usize,
-    const REMEMBERED: usize,
-    const STAMPS: usize,
-    const STACK: usize,
-    const FIRED: usize,
-    const PASSED: usize,
-    const STANDINGS: usize,
-> Memory
-    for Storage<
-        WORDS,
-        NUMBERS,
-        SITUATION_WORDS,
-        REMEMBERED,
-        STAMPS,
-        STACK,
-        FIRED,
-        PASSED,
-        STANDINGS,
-    >
-{
-    memory_methods!(in_fields);
-}
-
 impl<M: Memory> Memory for &mut M {
-    memory_methods!(in_target);
+    memory_methods!(target);
 }
 
 /// A store, as the engine works with it.
@@ -244,6 +215,7 @@ impl<M: Memory> Bank<M> {
         self.store.before_mut().fill(0);
         self.store.before_scan_mut().fill(0);
         self.store.fired_mut().fill(0);
+        self.store.sets_mut().fill(0);
         self.store.passed_mut().fill(0);
         self.store.stamps_mut().fill(NEVER);
         self.store.standings_mut().fill(Standing::FREE);
@@ -279,6 +251,32 @@ impl<M: Memory> Bank<M> {
     pub(crate) fn raise_bit(&mut self, bit: Bit) {
         if let Some(word) = self.store.image_mut().get_mut(bit.word()) {
             *word |= bit.mask();
+        }
+    }
+
+    /// Takes back all momentary variables, and keeps what they were.
+    pub(crate) fn begin_showing(&mut self, words: Run) {
+        for (place, word) in words.indices().enumerate() {
+            let before = self.word(word);
+            if let Some(shown) = self.store.shown_mut().get_mut(place) {
+                *shown = before;
+            }
+            self.put_word(word, 0);
+        }
+    }
+
+    /// Whether they are something else now.
+    pub(crate) fn shows_something_else(&self, words: Run) -> bool {
+        let shown = self.store.shown().iter();
+        shown
+            .zip(words.of(self.store.image()))
+            .any(|(before, now)| before != now)
+    }
+
+    /// Raises bits of one word.
+    pub(crate) fn raise(&mut self, target: Target) {
+        if let Some(word) = self.store.image_mut().get_mut(usize::from(target.word)) {
+            *word |= target.mask;
         }
     }
 

@@ -9,8 +9,14 @@ mod place;
 mod rows;
 
 use crate::bits::set_bits_of;
+use crate::sets::rows;
+use crate::walk::loop_over_steps;
 
-pub use expression::{Code, Condition, Edge, Edges, Op, Preset, Rest, Term, Timer, Unit, Watch};
+pub use crate::walk::VisitSteps;
+
+pub use expression::{
+    Code, Condition, Edge, Edges, Op, Preset, Rest, Seen, Term, Timer, Unit, Watch,
+};
 pub use place::{Bit, Number, Run, Slot, Stamp};
 pub use rows::{
     Arm, Assignment, Block, Crossing, Dependent, Duties, Enclosing, Event, Forced, Graph, Macro,
@@ -58,6 +64,11 @@ pub struct Layout {
     pub remembered: u16,
     /// Graphs whose standing in the hierarchy is kept; none when no graph forces or encloses another.
     pub standings: u16,
+    /// Words of [`Layout::momentary`] that are kept to see whether they change; none when there is but one.
+    pub shown: u16,
+    /// Words of the sets of words that hold anything: a bit for eight words of situations and macro steps, behind them a
+    /// bit for eight words of transitions. None in a small program.
+    pub sets: u16,
 }
 
 impl Layout {
@@ -65,6 +76,12 @@ impl Layout {
     #[must_use]
     pub const fn situation_words(&self) -> usize {
         self.situations.len as usize + self.macros.len as usize
+    }
+
+    /// How many [`Layout::sets`] a large program needs.
+    #[must_use]
+    pub const fn set_words(&self) -> usize {
+        rows(self.situation_words()) + rows(self.fired as usize)
     }
 }
 
@@ -82,6 +99,9 @@ pub struct Program<'a> {
     pub fingerprint: u32,
     /// Sizes and places.
     pub layout: Layout,
+    /// For each word of [`Layout::inputs`] the inputs that anybody reads. What happens to the others makes no scan
+    /// differ from the one before.
+    pub read_inputs: &'a [u32],
     /// The graphs.
     pub graphs: &'a [Graph],
     /// Indices of the graphs in the order of phase 4: superiors first.
@@ -203,8 +223,18 @@ impl Program<'_> {
 /// knows the program: where its tables lie, how long they are, which are empty, is then known in the scan and not
 /// looked up.
 pub trait Compiled: Copy {
+    /// Whether walks over rows are unrolled: fast, and long code, so for small programs only.
+    const UNROLLED: bool = false;
+
     /// The program.
     fn program(&self) -> &Program<'_>;
+
+    /// Visits steps, word by word in source order.
+    #[inline(always)]
+    fn each_step(&self, visit: &mut impl VisitSteps) {
+        let program = self.program();
+        loop_over_steps(program.blocks, program.steps, visit);
+    }
 }
 
 impl Compiled for &Program<'_> {

@@ -9,7 +9,6 @@ mod code;
 mod rows;
 mod structure;
 
-use crate::memory::Storage;
 use crate::program::{Bit, Evolution, Number, Program, Run, Slot, Stamp};
 
 /// The first table that breaks its promise.
@@ -96,10 +95,10 @@ impl Unsound {
 /// # const LAYOUT: Layout = Layout {
 /// #     words: 1, inputs: Run::EMPTY, situations: Run::EMPTY, macros: Run::EMPTY, momentary: Run::EMPTY,
 /// #     number_inputs: Run::EMPTY, outside: Run::EMPTY, numbers: 0, stamps: 0, stack: 0, fired: 0, passed: 0,
-/// #     remembered: 0, standings: 0,
+/// #     remembered: 0, standings: 0, shown: 0, sets: 0,
 /// # };
 /// # const EMPTY: Program<'static> = Program {
-/// #     period_ms: 10, evolution: Evolution::Scan, fingerprint: 0, layout: LAYOUT, graphs: &[], hierarchy: &[],
+/// #     period_ms: 10, evolution: Evolution::Scan, fingerprint: 0, layout: LAYOUT, read_inputs: &[], graphs: &[], hierarchy: &[],
 /// #     blocks: &[], steps: &[], duties: &[], macros: &[], transitions: &[], links: &[], arms: &[],
 /// #     situations: &[], enclosings: &[], orders: &[], sources: &[], lasting_in_steps: false,
 /// #     momentary_varies: false, stores_on_change: false, stored: &[], events: &[], always_stored: Run::EMPTY, targets: &[], momentary: &[], always_momentary: Run::EMPTY,
@@ -119,10 +118,10 @@ impl Unsound {
 /// # const LAYOUT: Layout = Layout {
 /// #     words: 1, inputs: Run::EMPTY, situations: Run::EMPTY, macros: Run::EMPTY, momentary: Run::EMPTY,
 /// #     number_inputs: Run::EMPTY, outside: Run::EMPTY, numbers: 0, stamps: 0, stack: 0, fired: 0, passed: 0,
-/// #     remembered: 0, standings: 0,
+/// #     remembered: 0, standings: 0, shown: 0, sets: 0,
 /// # };
 /// # const EMPTY: Program<'static> = Program {
-/// #     period_ms: 10, evolution: Evolution::Scan, fingerprint: 0, layout: LAYOUT, graphs: &[], hierarchy: &[],
+/// #     period_ms: 10, evolution: Evolution::Scan, fingerprint: 0, layout: LAYOUT, read_inputs: &[], graphs: &[], hierarchy: &[],
 /// #     blocks: &[], steps: &[], duties: &[], macros: &[], transitions: &[], links: &[], arms: &[],
 /// #     situations: &[], enclosings: &[], orders: &[], sources: &[], lasting_in_steps: false,
 /// #     momentary_varies: false, stores_on_change: false, stored: &[], events: &[], always_stored: Run::EMPTY, targets: &[], momentary: &[], always_momentary: Run::EMPTY,
@@ -139,34 +138,6 @@ impl Unsound {
 pub const fn demand(program: &Program<'_>) {
     if let Some(unsound) = program.unsoundness() {
         panic!("{}", unsound.message());
-    }
-}
-
-impl<
-    const WORDS: usize,
-    const NUMBERS: usize,
-    const SITUATION_WORDS: usize,
-    const REMEMBERED: usize,
-    const STAMPS: usize,
-    const STACK: usize,
-    const FIRED: usize,
-    const PASSED: usize,
-    const STANDINGS: usize,
-> Storage<WORDS, NUMBERS, SITUATION_WORDS, REMEMBERED, STAMPS, STACK, FIRED, PASSED, STANDINGS>
-{
-    /// True when the memory has exactly the places that the program's layout asks for.
-    #[must_use]
-    pub const fn is_sized_for(program: &Program<'_>) -> bool {
-        let layout = &program.layout;
-        WORDS == layout.words as usize
-            && NUMBERS == layout.numbers as usize
-            && SITUATION_WORDS == layout.situation_words()
-            && REMEMBERED == layout.remembered as usize
-            && STAMPS == layout.stamps as usize
-            && STACK == layout.stack as usize
-            && FIRED == layout.fired as usize
-            && PASSED == layout.passed as usize
-            && STANDINGS == layout.standings as usize
     }
 }
 
@@ -255,6 +226,7 @@ impl Program<'_> {
             i += 1;
         }
         self.period_ms >= 1
+            && self.read_inputs.len() == layout.inputs.len as usize
             && layout.words >= 1
             && layout.number_inputs.is_within(layout.numbers as usize)
             && (layout.number_inputs.len == 0
@@ -271,6 +243,13 @@ impl Program<'_> {
                 } else {
                     self.graphs.len()
                 }
+            && layout.shown
+                == if layout.momentary.len > 1 {
+                    layout.momentary.len
+                } else {
+                    0
+                }
+            && (layout.sets == 0 || layout.sets as usize == layout.set_words())
             && layout.remembered as usize
                 == if self.enclosings.is_empty() && matches!(self.evolution, Evolution::Scan) {
                     0

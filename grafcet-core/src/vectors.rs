@@ -18,6 +18,8 @@ pub struct Vectors {
     stack: Vec<i32>,
     stamps: Vec<u64>,
     standings: Vec<Standing>,
+    shown: Vec<u32>,
+    sets: Vec<u32>,
 }
 
 impl Vectors {
@@ -35,10 +37,12 @@ impl Vectors {
             stack: vec![0; usize::from(layout.stack)],
             stamps: vec![NEVER; usize::from(layout.stamps)],
             standings: vec![Standing::FREE; usize::from(layout.standings)],
+            shown: vec![0; usize::from(layout.shown)],
+            sets: vec![0; usize::from(layout.sets)],
         }
     }
 }
 
 impl Memory for Vectors {
-    memory_methods!(in_fields);
+    memory_methods!(fields);
 }

@@ -2,7 +2,8 @@
 
 use crate::engine::Engine;
 use crate::memory::{Memory, NEVER};
-use crate::program::{Bit, Code, Compiled, Edge, Run, Stamp, Unit, Watch};
+use crate::program::{Bit, Code, Compiled, Edge, Edges, Run, Seen, Stamp, Unit, Watch};
+use crate::walk::{Visit, each};
 
 /// Which evaluation of the watches it is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -17,34 +18,32 @@ pub(crate) enum Pass {
 
 impl<P: Compiled, M: Memory> Engine<P, M> {
     /// Evaluates watches in their order, so that an inner one is up to date for the one around it.
+    #[inline(always)]
     pub(crate) fn watch(&mut self, watches: Run, pass: Pass) {
         let tables = self.tables;
-        let program = tables.program();
-        for watch in watches.of(program.watches) {
-            let (value, result) = self.evaluate(watch, pass);
-            self.set_bit(result, value);
+        if let Some(watches) = watches.some(tables.program().watches) {
+            each::<P, Watch>(watches, &mut Watching { engine: self, pass });
         }
     }
 
     /// Compares the words of inputs with those of the scan before.
+    #[inline(always)]
     pub(crate) fn watch_inputs(&mut self, pass: Pass) {
         let tables = self.tables;
-        let program = tables.program();
-        for row in program.edges {
-            let now = self.memory.word(usize::from(row.word));
-            let was = match pass {
-                Pass::Start => now,
-                Pass::First | Pass::Later => self.memory.word(usize::from(row.last)),
-            };
-            let changed = self.memory.put_word(usize::from(row.rising), now & !was)
-                | self.memory.put_word(usize::from(row.falling), was & !now);
-            self.memory.put_word(usize::from(row.last), now);
-            if changed {
-                self.note_change();
-            }
+        each::<P, Edges>(tables.program().edges, &mut Watching { engine: self, pass });
+    }
+
+    /// Stores the edges of inputs, and notes when they change.
+    #[inline(always)]
+    fn put_edges(&mut self, seen: Option<Seen>, edges: u32) {
+        if let Some(Seen { word, bits }) = seen
+            && self.memory.put_word(usize::from(word), edges & bits)
+        {
+            self.note_change();
         }
     }
 
+    #[inline(always)]
     fn evaluate(&mut self, watch: &Watch, pass: Pass) -> (bool, Bit) {
         match watch {
             Watch::Edge {
@@ -139,5 +138,33 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
         let was = self.memory.bit(last);
         self.set_bit(last, now);
         was
+    }
+}
+
+/// Evaluates watches.
+struct Watching<'e, P, M> {
+    engine: &'e mut Engine<P, M>,
+    pass: Pass,
+}
+
+impl<P: Compiled, M: Memory> Visit<Watch> for Watching<'_, P, M> {
+    #[inline(always)]
+    fn row(&mut self, watch: &Watch) {
+        let (value, result) = self.engine.evaluate(watch, self.pass);
+        self.engine.set_bit(result, value);
+    }
+}
+
+impl<P: Compiled, M: Memory> Visit<Edges> for Watching<'_, P, M> {
+    #[inline(always)]
+    fn row(&mut self, row: &Edges) {
+        let now = self.engine.memory.word(usize::from(row.word));
+        let was = match self.pass {
+            Pass::Start => now,
+            Pass::First | Pass::Later => self.engine.memory.word(usize::from(row.last)),
+        };
+        self.engine.memory.put_word(usize::from(row.last), now);
+        self.engine.put_edges(row.rises, now & !was);
+        self.engine.put_edges(row.falls, was & !now);
     }
 }

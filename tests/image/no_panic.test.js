@@ -42,7 +42,7 @@ const POINTERS = [
 /** The scan task, the interrupts that run it and the wakers that it calls through pointers. */
 function roots(calls) {
   const tasks = calls.named(/TaskStorage<F>::poll$/);
-  const scans = tasks.filter((task) => [...calls.from(task).to].some(({ name }) => /Engine<P,M>::full_scan$/.test(name)));
+  const scans = tasks.filter((task) => [...calls.from(task).to].some(({ name }) => /Engine<P,M>::scan_apart$/.test(name)));
   assert.equal(scans.length, 1, `one task of ${tasks.length} scans`);
   const interrupts = calls.named(/^(SWI_IRQ_0|TIMER_IRQ_0)$/);
   assert.equal(interrupts.length, 2);
@@ -67,17 +67,17 @@ for (const { name, elf } of images()) {
 
   test(`a scan of ${name} is followed from the pins to the log`, () => {
     const { functions } = calls.reach(roots(calls));
-    for (const part of [/^plc::input::/, /^grafcet_core::.*full_scan$/, /^plc::scan::.*finish$/, /^_defmt_acquire$/]) {
+    for (const part of [/^plc::input::/, /^grafcet_core::.*scan_apart$/, /^plc::scan::.*finish$/, /^_defmt_acquire$/]) {
       assert.ok([...functions].some((of) => part.test(of)), `${part}`);
     }
   });
 
   test(`a panic that is put into a scan of ${name} is found`, () => {
-    const [into] = calls.named(/Engine<P,M>::full_scan$/);
+    const [into] = calls.named(/Engine<P,M>::scan_apart$/);
     const [panic] = calls.named(/^core::panicking::panic_fmt$/);
     const patched = new Calls({ ...elf, segments: withCall(elf.segments, into.start, panic.start) });
     const found = branches(patched).filter((branch) => !BRANCHES.includes(branch));
-    assert.deepEqual(found, ['grafcet_core::engine::Engine<P,M>::full_scan -> core::panicking::panic_fmt']);
+    assert.deepEqual(found, ['grafcet_core::engine::Engine<P,M>::scan_apart -> core::panicking::panic_fmt']);
   });
 }
 
@@ -86,7 +86,7 @@ for (const { name, elf } of bareImages()) {
     const calls = new Calls(elf);
     assert.deepEqual(calls.named(PANICS), []);
     const { functions, panics, pointers } = calls.reach(calls.named(/^(scan_once|bench_init)$/));
-    assert.ok(functions.has('grafcet_core::engine::Engine<P,M>::full_scan'));
+    assert.ok(functions.has('bench_image::contract::work'));
     assert.deepEqual({ panics, pointers }, { panics: [], pointers: [] });
   });
 }

@@ -3,8 +3,8 @@
 use grafcet_core::program::{
     Arm, Assignment, Bit, Block, Code, Condition, Crossing, Dependent, Duties, Edge, Edges,
     Enclosing, Event, Evolution, Forced, Graph, Layout, Macro, Momentary, Number, NumberRow, Op,
-    Order, Preset, Rest, Retained, Run, Slot, Stamp, Step, Stored, Target, Term, Timer, Transition,
-    Unit, Watch,
+    Order, Preset, Rest, Retained, Run, Seen, Slot, Stamp, Step, Stored, Target, Term, Timer,
+    Transition, Unit, Watch,
 };
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
@@ -32,33 +32,34 @@ macro_rules! structs {
 
 structs! {
     Tables => Program {
-        period_ms evolution fingerprint layout graphs hierarchy blocks steps duties macros transitions links arms
+        period_ms evolution fingerprint layout read_inputs graphs hierarchy blocks steps duties macros transitions links arms
         situations enclosings orders sources lasting_in_steps momentary_varies stores_on_change stored events always_stored
         targets momentary always_momentary dependent edges watches trigger_watches round_watches action_watches terms timers codes ops numbers
         initially_true retained
     }
     Layout => Layout {
         words inputs situations macros momentary number_inputs outside numbers stamps stack fired passed
-        remembered standings
+        remembered standings shown sets
     }
     Graph => Graph {
         steps words transitions sources initial enclosings orders self_orders watches self_watches
     }
     Step => Step { arms momentary duties }
     Duties => Duties { stored on_activation on_deactivation on_event orders activated }
-    Block => Block { first momentary duties }
+    Block => Block { first momentary timed stored on_activation on_deactivation on_event }
     Arm => Arm { transition word mask state }
     Macro => Macro { bit graph steps activated }
     Transition => Transition { fires crossing actions }
     Enclosing => Enclosing { step situation at_start }
-    Order => Order { graph rank situation condition }
+    Order => Order { graph by rank situation condition }
     Stored => Stored { assignment condition }
     Event => Event { event stored }
     Momentary => Momentary { targets condition }
     Dependent => Dependent { owner statement }
     Target => Target { word mask }
     Term => Term { word mask state }
-    Edges => Edges { word last rising falling }
+    Edges => Edges { word last rises falls }
+    Seen => Seen { word bits }
     Timer => Timer { step activated preset }
     NumberRow => NumberRow { initial min max }
     Retained => Retained { slot key }

@@ -116,11 +116,11 @@ impl Lowering<'_> {
             |order: &model::Order| index(places.partition_point(|place| *place < order.span));
         let (own, others): (Vec<&model::Order>, Vec<&model::Order>) =
             always().partition(|order| order.graph == graph);
-        let others = self.orders(others.into_iter(), Context::Forcing(row), rank);
-        let own = self.orders(own.into_iter(), Context::SelfForcing(row), rank);
+        let others = self.orders(others.into_iter(), row, Context::Forcing, rank);
+        let own = self.orders(own.into_iter(), row, Context::SelfForcing, rank);
         for step in model[graph].step_ids() {
             let orders = model[step].action.orders.iter();
-            let run = self.orders(orders, Context::Forcing(row), rank);
+            let run = self.orders(orders, row, Context::Forcing, rank);
             if let Some(runs) = self.step_runs(step) {
                 runs.orders = run;
             }
@@ -131,9 +131,11 @@ impl Lowering<'_> {
     fn orders<'o>(
         &mut self,
         orders: impl Iterator<Item = &'o model::Order>,
-        context: Context,
+        by: usize,
+        context: fn(usize) -> Context,
         rank: impl Fn(&model::Order) -> u16,
     ) -> Run {
+        let context = context(by);
         let start = self.rows.orders.len();
         for order in orders {
             let condition = self.optional(order.condition.as_ref(), context);
@@ -143,6 +145,7 @@ impl Lowering<'_> {
             };
             let row = Order {
                 graph: index(self.graph_row(order.graph)),
+                by: index(by),
                 rank: rank(order),
                 situation,
                 condition,

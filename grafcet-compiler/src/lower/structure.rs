@@ -82,7 +82,7 @@ impl Lowering<'_> {
                 steps
                     .chunks(32)
                     .zip(own.step_by(32))
-                    .map(|(steps, first)| block(index(first), steps)),
+                    .map(|(steps, first)| block(index(first), steps, &duties.rows)),
             );
             let orders = orders.get(row).copied().unwrap_or_default();
             structure.graphs.push(Graph {
@@ -132,15 +132,23 @@ impl Lowering<'_> {
 }
 
 /// Steps that share a word.
-fn block(first: u16, steps: &[Step]) -> Block {
-    let mask = |acts: fn(&Step) -> bool| {
+fn block(first: u16, steps: &[Step], duties: &[Duties]) -> Block {
+    let mask = |acts: &dyn Fn(&Step, &Duties) -> bool| {
+        let acts = |step: &Step| {
+            let duties = duties.get(usize::from(step.duties));
+            duties.is_some_and(|duties| acts(step, duties))
+        };
         let bits = steps.iter().enumerate().filter(|(_, step)| acts(step));
         bits.fold(0, |mask, (place, _)| mask | 1 << place)
     };
     Block {
         first,
-        momentary: mask(|step| step.momentary.len > 0),
-        duties: mask(|step| step.duties > 0),
+        momentary: mask(&|step, _| step.momentary.len > 0),
+        timed: mask(&|_, duties| duties.activated.is_some()),
+        stored: mask(&|_, duties| duties.stored.len > 0),
+        on_activation: mask(&|_, duties| duties.on_activation.len > 0),
+        on_deactivation: mask(&|_, duties| duties.on_deactivation.len > 0),
+        on_event: mask(&|_, duties| duties.on_event.len > 0),
     }
 }
 

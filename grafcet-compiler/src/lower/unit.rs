@@ -13,6 +13,7 @@ use super::graph::{GraphOrders, StepRuns};
 use super::limits::{self, index};
 use super::places::{Contents, Places};
 use super::pool::Pool;
+use super::reads;
 use super::watch::{Context, Memories, Watches};
 use crate::application::Tables;
 use crate::diagnostic::Diagnostic;
@@ -67,6 +68,9 @@ pub(super) struct Rows {
     /// Those of the graphs' initial steps.
     pub initial_situations: BTreeMap<GraphId, u16>,
 }
+
+/// In a program with more words of situations it is noted which of them hold anything.
+const FEW_WORDS: u16 = 8;
 
 impl Rows {
     /// Index of the first word of a situation; equal ones share their words.
@@ -161,12 +165,19 @@ impl<'m> Lowering<'m> {
         if !self.rows.orders.is_empty() || !self.rows.enclosings.is_empty() {
             layout.standings = index(structure.graphs.len());
         }
+        if layout.situations.len > FEW_WORDS {
+            layout.sets = index(layout.set_words());
+        }
+        if layout.momentary.len > 1 {
+            layout.shown = layout.momentary.len;
+        }
         let rows = self.rows;
         let mut tables = Tables {
             period_ms: self.model.period_ms,
             evolution,
             fingerprint: 0,
             layout,
+            read_inputs: Vec::new(),
             graphs: structure.graphs,
             hierarchy: structure.hierarchy,
             blocks: structure.blocks,
@@ -221,6 +232,7 @@ impl<'m> Lowering<'m> {
         if !beyond.is_empty() {
             return Err(beyond);
         }
+        tables.read_inputs = reads::inputs(&tables);
         tables.fingerprint = fingerprint::of(&tables);
         debug_assert_eq!(tables.program().unsoundness(), None);
         Ok((tables, self.places))

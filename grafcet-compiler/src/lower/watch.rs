@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, HashMap};
 
-use grafcet_core::program::{Bit, Edge, Edges, Run, Stamp, Watch};
+use grafcet_core::program::{Bit, Edge, Edges, Run, Seen, Stamp, Watch};
 
 use super::limits::index;
 
@@ -85,14 +85,21 @@ impl Watches {
         let edges = self.inputs.entry(word).or_insert_with(|| Edges {
             word,
             last: memories.word(),
-            rising: memories.word(),
-            falling: memories.word(),
+            rises: None,
+            falls: None,
         });
-        let word = match edge {
-            Edge::Rising => edges.rising,
-            Edge::Falling => edges.falling,
+        let seen = match edge {
+            Edge::Rising => &mut edges.rises,
+            Edge::Falling => &mut edges.falls,
         };
-        Bit(index(usize::from(word) * 32 + usize::from(input.0 % 32)))
+        let seen = seen.get_or_insert_with(|| Seen {
+            word: memories.word(),
+            bits: 0,
+        });
+        seen.bits |= input.mask();
+        Bit(index(
+            usize::from(seen.word) * 32 + usize::from(input.0 % 32),
+        ))
     }
 
     /// The edges of inputs.

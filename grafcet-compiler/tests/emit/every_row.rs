@@ -8,8 +8,8 @@ use grafcet_compiler::ast::{DeclarationKind, Type};
 use grafcet_compiler::source::Span;
 use grafcet_core::program::{
     Assignment, Bit, Code, Condition, Dependent, Edge, Edges, Enclosing, Event, Evolution, Forced,
-    Layout, Macro, Momentary, Number, NumberRow, Op, Order, Preset, Rest, Retained, Run, Slot,
-    Stamp, Stored, Target, Term, Timer, Unit as PresetUnit, Watch,
+    Layout, Macro, Momentary, Number, NumberRow, Op, Order, Preset, Rest, Retained, Run, Seen,
+    Slot, Stamp, Stored, Target, Term, Timer, Unit as PresetUnit, Watch,
 };
 
 use self::structure::{across, arm, block, duties, graphs, step, transition, within};
@@ -143,7 +143,10 @@ fn tables() -> Tables {
             passed: 0,
             remembered: 5,
             standings: 3,
+            shown: 0,
+            sets: 0,
         },
+        read_inputs: vec![0xc000_0001],
         graphs: graphs(),
         hierarchy: vec![0, 1, 2],
         blocks: [(0, 0b111), (3, 0b1), (4, u32::MAX), (36, 0b1)]
@@ -211,8 +214,11 @@ fn tables() -> Tables {
         edges: vec![Edges {
             word: 1,
             last: 10,
-            rising: 11,
-            falling: 12,
+            rises: Some(Seen { word: 11, bits: 1 }),
+            falls: Some(Seen {
+                word: 12,
+                bits: 0x8000_0000,
+            }),
         }],
         watches: watches(),
         trigger_watches: run(0, 2),
@@ -261,6 +267,7 @@ fn timer(preset: Preset) -> Timer {
 fn order(graph: u16, situation: Forced) -> Order {
     Order {
         graph,
+        by: 0,
         rank: 1 - graph,
         situation,
         condition: Condition::ALWAYS,

@@ -35,10 +35,16 @@ pub fn graphs() -> Vec<Graph> {
 }
 
 pub fn block((first, steps): (u16, u32)) -> Block {
+    // The third step only forces.
+    let act = if first == 0 { steps & !0b100 } else { steps };
     Block {
         first,
         momentary: steps,
-        duties: steps,
+        timed: act,
+        stored: act,
+        on_activation: act,
+        on_deactivation: act,
+        on_event: act,
     }
 }
 

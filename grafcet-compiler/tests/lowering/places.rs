@@ -159,3 +159,13 @@ fn names_of_an_instance_stand_for_what_they_are_bound_to() {
         Some("%IX0.3")
     );
 }
+
+#[test]
+fn inputs_count_as_read_by_conditions_values_and_edges_and_no_others() {
+    let tables = tables(
+        "input a, b, c, d, e, f, g\ninput n : int\nvar m\n\
+         graph G { initial step 1 { m = a OR NOT b }; transition 1: 1 -> 1 when c AND ↑d\n\
+         always { M IF ↓e AND n > 1 AND (f XOR NOT X1) } }\noutput M",
+    );
+    assert_eq!(tables.read_inputs, [0b011_1111]);
+}

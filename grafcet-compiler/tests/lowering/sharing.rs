@@ -76,7 +76,10 @@ fn what_steps_do_alike_is_one_row_and_nothing_is_the_first() {
     let duties: Vec<u16> = tables.steps.iter().map(|step| step.duties).collect();
     assert_eq!(duties, [0, 0, 1, 0, 2]);
     assert_eq!(tables.duties.len(), 3);
-    assert_eq!(tables.blocks[0].duties, 0b10100);
+    assert_eq!(
+        (tables.blocks[0].timed, tables.blocks[0].stored),
+        (0b00100, 0b10000)
+    );
     assert_eq!(tables.blocks[0].momentary, 0b00010);
 }
 

@@ -112,7 +112,13 @@ fn edges_of_inputs_are_watched_by_their_words_for_all_phases() {
     assert!(tables.watches.is_empty());
     let edges = tables.edges[0];
     assert_eq!((tables.edges.len(), edges.word), (1, 1));
-    let words = [edges.last, edges.rising, edges.falling];
+    let (rises, falls) = (edges.rises.unwrap(), edges.falls.unwrap());
+    assert_eq!(
+        (rises.bits, falls.bits),
+        (0b011, 0b101),
+        "of those alone that somebody reads"
+    );
+    let words = [edges.last, rises.word, falls.word];
     assert!(
         words
             .iter()
@@ -127,13 +133,13 @@ fn edges_of_inputs_are_watched_by_their_words_for_all_phases() {
         terms_of(&tables, 0),
         [
             term(1, 0b100),
-            term(edges.rising, 0b010),
-            term(edges.falling, 0b001)
+            term(rises.word, 0b010),
+            term(falls.word, 0b001)
         ]
     );
-    assert_eq!(tables.events[0].event, Bit(edges.rising * 32 + 1));
+    assert_eq!(tables.events[0].event, Bit(rises.word * 32 + 1));
     let of_m = tables.momentary[0].condition.terms.of(&tables.terms);
-    assert_eq!(of_m, [term(edges.rising, 0b001)]);
+    assert_eq!(of_m, [term(rises.word, 0b001)]);
 }
 
 #[test]
@@ -150,10 +156,22 @@ fn inputs_in_two_words_have_edges_in_words_of_their_own() {
         panic!("{:?}", tables.edges);
     };
     assert_eq!((first.word, second.word), (1, 2));
-    let of = |edges: Edges| [edges.last, edges.rising, edges.falling];
+    let of = |edges: Edges| {
+        let seen = [edges.rises, edges.falls].into_iter().flatten();
+        let words: Vec<u16> = seen.map(|seen| seen.word).chain([edges.last]).collect();
+        words
+    };
+    assert_eq!(
+        (of(first).len(), of(second).len()),
+        (2, 3),
+        "no word for edges that nobody reads"
+    );
     assert!(of(first).iter().all(|word| !of(second).contains(word)));
     let term = terms_of(&tables, 1);
-    assert_eq!((term[0].word, term[0].mask), (second.rising, 1 << 7));
+    assert_eq!(
+        (term[0].word, term[0].mask),
+        (second.rises.unwrap().word, 1 << 7)
+    );
 }
 
 #[test]
@@ -238,7 +256,7 @@ fn an_event_is_its_edge_or_a_value_while_its_step_is_active() {
     else {
         panic!("{watches:?}");
     };
-    let first = Bit(tables.edges[0].rising * 32);
+    let first = Bit(tables.edges[0].rises.unwrap().word * 32);
     let events: Vec<_> = tables.events.iter().map(|event| event.event).collect();
     assert_eq!(events, [first, second, third]);
 }

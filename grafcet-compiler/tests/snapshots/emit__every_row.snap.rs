@@ -19,7 +19,10 @@ pub static PROGRAM: Program<'static> = Program {
         passed: 0,
         remembered: 5,
         standings: 3,
+        shown: 0,
+        sets: 0,
     },
+    read_inputs: &[3221225473],
     graphs: &[
         Graph {
             steps: Run { start: 0, len: 3 },
@@ -63,22 +66,38 @@ pub static PROGRAM: Program<'static> = Program {
         Block {
             first: 0,
             momentary: 7,
-            duties: 7,
+            timed: 3,
+            stored: 3,
+            on_activation: 3,
+            on_deactivation: 3,
+            on_event: 3,
         },
         Block {
             first: 3,
             momentary: 1,
-            duties: 1,
+            timed: 1,
+            stored: 1,
+            on_activation: 1,
+            on_deactivation: 1,
+            on_event: 1,
         },
         Block {
             first: 4,
             momentary: 4294967295,
-            duties: 4294967295,
+            timed: 4294967295,
+            stored: 4294967295,
+            on_activation: 4294967295,
+            on_deactivation: 4294967295,
+            on_event: 4294967295,
         },
         Block {
             first: 36,
             momentary: 1,
-            duties: 1,
+            timed: 1,
+            stored: 1,
+            on_activation: 1,
+            on_deactivation: 1,
+            on_event: 1,
         },
     ],
     steps: &[
@@ -400,12 +419,14 @@ pub static PROGRAM: Program<'static> = Program {
     orders: &[
         Order {
             graph: 1,
+            by: 0,
             rank: 0,
             situation: Forced::Current,
             condition: Condition::ALWAYS,
         },
         Order {
             graph: 0,
+            by: 0,
             rank: 1,
             situation: Forced::Set(2),
             condition: Condition::ALWAYS,
@@ -480,8 +501,8 @@ pub static PROGRAM: Program<'static> = Program {
         Edges {
             word: 1,
             last: 10,
-            rising: 11,
-            falling: 12,
+            rises: Some(Seen { word: 11, bits: 1 }),
+            falls: Some(Seen { word: 12, bits: 2147483648 }),
         },
     ],
     watches: &[
@@ -660,6 +681,155 @@ impl Compiled for ThisProgram {
     fn program(&self) -> &Program<'_> {
         &PROGRAM
     }
+    const UNROLLED: bool = true;
+    #[inline(always)]
+    fn each_step(&self, visit: &mut impl VisitSteps) {
+        if let Some(block) = PROGRAM.blocks.first() {
+            let steps = visit.choose(0, block);
+            if steps & 15 != 0 {
+                if steps & 1 != 0 && let Some(step) = PROGRAM.steps.first() {
+                    visit.step(step);
+                }
+                if steps & 2 != 0 && let Some(step) = PROGRAM.steps.get(1) {
+                    visit.step(step);
+                }
+                if steps & 4 != 0 && let Some(step) = PROGRAM.steps.get(2) {
+                    visit.step(step);
+                }
+            }
+            visit.leave(0);
+        }
+        if let Some(block) = PROGRAM.blocks.get(1) {
+            let steps = visit.choose(1, block);
+            if steps & 1 != 0 && let Some(step) = PROGRAM.steps.get(3) {
+                visit.step(step);
+            }
+            visit.leave(1);
+        }
+        if let Some(block) = PROGRAM.blocks.get(2) {
+            let steps = visit.choose(2, block);
+            if steps & 15 != 0 {
+                if steps & 1 != 0 && let Some(step) = PROGRAM.steps.get(4) {
+                    visit.step(step);
+                }
+                if steps & 2 != 0 && let Some(step) = PROGRAM.steps.get(5) {
+                    visit.step(step);
+                }
+                if steps & 4 != 0 && let Some(step) = PROGRAM.steps.get(6) {
+                    visit.step(step);
+                }
+                if steps & 8 != 0 && let Some(step) = PROGRAM.steps.get(7) {
+                    visit.step(step);
+                }
+            }
+            if steps & 240 != 0 {
+                if steps & 16 != 0 && let Some(step) = PROGRAM.steps.get(8) {
+                    visit.step(step);
+                }
+                if steps & 32 != 0 && let Some(step) = PROGRAM.steps.get(9) {
+                    visit.step(step);
+                }
+                if steps & 64 != 0 && let Some(step) = PROGRAM.steps.get(10) {
+                    visit.step(step);
+                }
+                if steps & 128 != 0 && let Some(step) = PROGRAM.steps.get(11) {
+                    visit.step(step);
+                }
+            }
+            if steps & 3840 != 0 {
+                if steps & 256 != 0 && let Some(step) = PROGRAM.steps.get(12) {
+                    visit.step(step);
+                }
+                if steps & 512 != 0 && let Some(step) = PROGRAM.steps.get(13) {
+                    visit.step(step);
+                }
+                if steps & 1024 != 0 && let Some(step) = PROGRAM.steps.get(14) {
+                    visit.step(step);
+                }
+                if steps & 2048 != 0 && let Some(step) = PROGRAM.steps.get(15) {
+                    visit.step(step);
+                }
+            }
+            if steps & 61440 != 0 {
+                if steps & 4096 != 0 && let Some(step) = PROGRAM.steps.get(16) {
+                    visit.step(step);
+                }
+                if steps & 8192 != 0 && let Some(step) = PROGRAM.steps.get(17) {
+                    visit.step(step);
+                }
+                if steps & 16384 != 0 && let Some(step) = PROGRAM.steps.get(18) {
+                    visit.step(step);
+                }
+                if steps & 32768 != 0 && let Some(step) = PROGRAM.steps.get(19) {
+                    visit.step(step);
+                }
+            }
+            if steps & 983040 != 0 {
+                if steps & 65536 != 0 && let Some(step) = PROGRAM.steps.get(20) {
+                    visit.step(step);
+                }
+                if steps & 131072 != 0 && let Some(step) = PROGRAM.steps.get(21) {
+                    visit.step(step);
+                }
+                if steps & 262144 != 0 && let Some(step) = PROGRAM.steps.get(22) {
+                    visit.step(step);
+                }
+                if steps & 524288 != 0 && let Some(step) = PROGRAM.steps.get(23) {
+                    visit.step(step);
+                }
+            }
+            if steps & 15728640 != 0 {
+                if steps & 1048576 != 0 && let Some(step) = PROGRAM.steps.get(24) {
+                    visit.step(step);
+                }
+                if steps & 2097152 != 0 && let Some(step) = PROGRAM.steps.get(25) {
+                    visit.step(step);
+                }
+                if steps & 4194304 != 0 && let Some(step) = PROGRAM.steps.get(26) {
+                    visit.step(step);
+                }
+                if steps & 8388608 != 0 && let Some(step) = PROGRAM.steps.get(27) {
+                    visit.step(step);
+                }
+            }
+            if steps & 251658240 != 0 {
+                if steps & 16777216 != 0 && let Some(step) = PROGRAM.steps.get(28) {
+                    visit.step(step);
+                }
+                if steps & 33554432 != 0 && let Some(step) = PROGRAM.steps.get(29) {
+                    visit.step(step);
+                }
+                if steps & 67108864 != 0 && let Some(step) = PROGRAM.steps.get(30) {
+                    visit.step(step);
+                }
+                if steps & 134217728 != 0 && let Some(step) = PROGRAM.steps.get(31) {
+                    visit.step(step);
+                }
+            }
+            if steps & 4026531840 != 0 {
+                if steps & 268435456 != 0 && let Some(step) = PROGRAM.steps.get(32) {
+                    visit.step(step);
+                }
+                if steps & 536870912 != 0 && let Some(step) = PROGRAM.steps.get(33) {
+                    visit.step(step);
+                }
+                if steps & 1073741824 != 0 && let Some(step) = PROGRAM.steps.get(34) {
+                    visit.step(step);
+                }
+                if steps & 2147483648 != 0 && let Some(step) = PROGRAM.steps.get(35) {
+                    visit.step(step);
+                }
+            }
+            visit.leave(2);
+        }
+        if let Some(block) = PROGRAM.blocks.get(3) {
+            let steps = visit.choose(3, block);
+            if steps & 1 != 0 && let Some(step) = PROGRAM.steps.get(36) {
+                visit.step(step);
+            }
+            visit.leave(3);
+        }
+    }
 }
 /// What the program calls its things.
 pub static NAMES: Names<'static> = Names {
@@ -669,8 +839,10 @@ pub static NAMES: Names<'static> = Names {
     transitions: &[1, 2, 7, 8, 9],
     retained: &["Locked", "G:température"],
 };
-/// The memory of the program.
-pub type Storage = grafcet_core::memory::Storage<13, 4, 5, 5, 4, 2, 1, 0, 3>;
+grafcet_core::storage!(
+    Storage { image : 13, numbers : 4, before : 5, before_scan : 5, fired : 1, passed :
+    0, stack : 2, stamps : 4, standings : 3, shown : 0, sets : 0 }
+);
 const _: () = assert!(Storage::is_sized_for(& PROGRAM));
 /// The plants, with the wires between their images and the controller's.
 pub static PLANTS: [PlantTables; 1] = [
@@ -695,7 +867,10 @@ pub static PLANTS: [PlantTables; 1] = [
                 passed: 1,
                 remembered: 5,
                 standings: 3,
+                shown: 0,
+                sets: 0,
             },
+            read_inputs: &[3221225473],
             graphs: &[
                 Graph {
                     steps: Run { start: 0, len: 3 },
@@ -739,22 +914,38 @@ pub static PLANTS: [PlantTables; 1] = [
                 Block {
                     first: 0,
                     momentary: 7,
-                    duties: 7,
+                    timed: 3,
+                    stored: 3,
+                    on_activation: 3,
+                    on_deactivation: 3,
+                    on_event: 3,
                 },
                 Block {
                     first: 3,
                     momentary: 1,
-                    duties: 1,
+                    timed: 1,
+                    stored: 1,
+                    on_activation: 1,
+                    on_deactivation: 1,
+                    on_event: 1,
                 },
                 Block {
                     first: 4,
                     momentary: 4294967295,
-                    duties: 4294967295,
+                    timed: 4294967295,
+                    stored: 4294967295,
+                    on_activation: 4294967295,
+                    on_deactivation: 4294967295,
+                    on_event: 4294967295,
                 },
                 Block {
                     first: 36,
                     momentary: 1,
-                    duties: 1,
+                    timed: 1,
+                    stored: 1,
+                    on_activation: 1,
+                    on_deactivation: 1,
+                    on_event: 1,
                 },
             ],
             steps: &[
@@ -1076,12 +1267,14 @@ pub static PLANTS: [PlantTables; 1] = [
             orders: &[
                 Order {
                     graph: 1,
+                    by: 0,
                     rank: 0,
                     situation: Forced::Current,
                     condition: Condition::ALWAYS,
                 },
                 Order {
                     graph: 0,
+                    by: 0,
                     rank: 1,
                     situation: Forced::Set(2),
                     condition: Condition::ALWAYS,

@@ -157,9 +157,18 @@ pub struct Edges {
     /// What it was in the scan before.
     pub last: u16,
     /// The rising edges.
-    pub rising: u16,
+    pub rises: Option<Seen>,
     /// The falling edges.
-    pub falling: u16,
+    pub falls: Option<Seen>,
+}
+
+/// Where edges are seen.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Seen {
+    /// Word of the image.
+    pub word: u16,
+    /// Those of its bits that somebody reads.
+    pub bits: u32,
 }
 
 /// An edge or a timer with a memory of its own, evaluated in every scan where it stands. Its result is a bit of the

@@ -75,8 +75,16 @@ pub struct Block {
     pub first: u16,
     /// The steps that have momentary actions.
     pub momentary: u32,
-    /// The steps that do something else, a row of [`Program::duties`](super::Program::duties).
-    pub duties: u32,
+    /// The steps whose time of activation is kept.
+    pub timed: u32,
+    /// The steps that have stored statements without `on`.
+    pub stored: u32,
+    /// The steps that have statements `on activation`.
+    pub on_activation: u32,
+    /// The steps that have statements `on deactivation`.
+    pub on_deactivation: u32,
+    /// The steps that have statements `on event`.
+    pub on_event: u32,
 }
 
 /// A transition as its first entrance step sees it: armed, unless its first term says otherwise.
@@ -140,6 +148,8 @@ pub struct Enclosing {
 pub struct Order {
     /// The graph that is forced.
     pub graph: u16,
+    /// The graph that forces.
+    pub by: u16,
     /// Place in the source among the orders of one graph: of two valid ones the later wins.
     pub rank: u16,
     /// Into what.

@@ -15,7 +15,16 @@ impl Program<'_> {
     }
 
     pub(super) const fn term_is_sound(&self, term: &Term) -> bool {
-        term.word < self.layout.words && term.state & !term.mask == 0
+        term.word < self.layout.words
+            && term.state & !term.mask == 0
+            && self.notes_reading(term.word, term.mask)
+    }
+
+    /// Whether inputs that are read there count as read.
+    pub(super) const fn notes_reading(&self, word: u16, mask: u32) -> bool {
+        let inputs = &self.layout.inputs;
+        !inputs.holds(word as usize)
+            || mask & !self.read_inputs[word as usize - inputs.start as usize] == 0
     }
 
     pub(super) const fn condition_is_sound(&self, condition: Condition) -> bool {
@@ -110,7 +119,7 @@ impl Program<'_> {
 
     const fn op_is_sound(&self, op: &Op) -> bool {
         match op {
-            Op::Bit(bit) => self.bit_is_sound(*bit),
+            Op::Bit(bit) => self.bit_is_sound(*bit) && self.notes_reading(bit.0 >> 5, bit.mask()),
             Op::Number(number) => number.0 < self.layout.numbers,
             Op::Elapsed(timer) => (*timer as usize) < self.timers.len(),
             Op::StepTimer {

@@ -1,7 +1,8 @@
 //! Table by table, row by row.
 
 use crate::program::{
-    Assignment, Bit, Duties, Evolution, Forced, Momentary, Order, Program, Rest, Watch,
+    Assignment, Bit, Duties, Edges, Evolution, Forced, Momentary, Order, Program, Rest, Run, Seen,
+    Watch,
 };
 
 impl Program<'_> {
@@ -39,6 +40,13 @@ impl Program<'_> {
                 return false;
             }
             i += 1;
+        }
+        let mut g = 0;
+        while g < self.graphs.len() {
+            if !self.blocks_name_what_acts(&self.graphs[g]) {
+                return false;
+            }
+            g += 1;
         }
         true
     }
@@ -118,7 +126,19 @@ impl Program<'_> {
         }
         let mut g = 0;
         while g < self.graphs.len() {
-            let own = self.graphs[g].self_orders;
+            let graph = &self.graphs[g];
+            if !self.orders_are_by(graph.orders, g) || !self.orders_are_by(graph.self_orders, g) {
+                return false;
+            }
+            let mut i = graph.steps.start as usize;
+            while i < graph.steps.end() {
+                let duties = self.steps[i].duties as usize;
+                if !self.orders_are_by(self.duties[duties].orders, g) {
+                    return false;
+                }
+                i += 1;
+            }
+            let own = graph.self_orders;
             let mut i = own.start as usize;
             while i < own.end() {
                 if self.orders[i].graph as usize != g {
@@ -127,6 +147,17 @@ impl Program<'_> {
                 i += 1;
             }
             g += 1;
+        }
+        true
+    }
+
+    const fn orders_are_by(&self, orders: Run, graph: usize) -> bool {
+        let mut i = orders.start as usize;
+        while i < orders.end() {
+            if self.orders[i].by as usize != graph {
+                return false;
+            }
+            i += 1;
         }
         true
     }
@@ -221,11 +252,12 @@ impl Program<'_> {
             let row = &self.edges[i];
             let sound = self.layout.inputs.holds(row.word as usize)
                 && self.word_is_stored(row.last)
-                && self.word_is_stored(row.rising)
-                && self.word_is_stored(row.falling)
-                && row.last != row.rising
-                && row.last != row.falling
-                && row.rising != row.falling;
+                && self.seen_is_sound(&row.rises, row)
+                && self.seen_is_sound(&row.falls, row)
+                && match (&row.rises, &row.falls) {
+                    (Some(rises), Some(falls)) => rises.word != falls.word,
+                    _ => true,
+                };
             if !sound {
                 return false;
             }
@@ -292,6 +324,18 @@ impl Program<'_> {
                 };
                 gated && self.condition_is_sound(condition) && self.bit_is_stored(result)
             }
+        }
+    }
+
+    const fn seen_is_sound(&self, seen: &Option<Seen>, row: &Edges) -> bool {
+        match seen {
+            Some(Seen { word, bits }) => {
+                self.word_is_stored(*word)
+                    && *word != row.last
+                    && *bits != 0
+                    && self.notes_reading(row.word, *bits)
+            }
+            None => true,
         }
     }
 

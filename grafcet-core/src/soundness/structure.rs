@@ -49,7 +49,7 @@ impl Program<'_> {
             && self.situation_is_sound(graph, graph.initial)
     }
 
-    /// Whether the words of a graph lead to its own steps, and to all of them that act.
+    /// Whether the words of a graph lead to its own steps.
     const fn blocks_are_sound(&self, graph: &Graph) -> bool {
         let mut i = 0;
         while i < graph.words.len as usize {
@@ -61,14 +61,24 @@ impl Program<'_> {
             }
             i += 1;
         }
+        true
+    }
+
+    /// Whether the words of a graph name all steps that act, and no other.
+    pub(super) const fn blocks_name_what_acts(&self, graph: &Graph) -> bool {
         let mut i = 0;
         while i < graph.steps.len as usize {
             let word = graph.words.start as usize + i / 32 - self.layout.situations.start as usize;
             let step = &self.steps[graph.steps.start as usize + i];
             let mask = 1 << (i % 32);
             let block = &self.blocks[word];
+            let duties = &self.duties[step.duties as usize];
             if (step.momentary.len > 0) != (block.momentary & mask != 0)
-                || (step.duties > 0) != (block.duties & mask != 0)
+                || duties.activated.is_some() != (block.timed & mask != 0)
+                || (duties.stored.len > 0) != (block.stored & mask != 0)
+                || (duties.on_activation.len > 0) != (block.on_activation & mask != 0)
+                || (duties.on_deactivation.len > 0) != (block.on_deactivation & mask != 0)
+                || (duties.on_event.len > 0) != (block.on_event & mask != 0)
             {
                 return false;
             }
@@ -123,6 +133,7 @@ impl Program<'_> {
             if arm.transition as usize >= self.transitions.len()
                 || arm.word >= self.layout.words
                 || arm.state & !arm.mask != 0
+                || !self.notes_reading(arm.word, arm.mask)
             {
                 return false;
             }

@@ -6,10 +6,9 @@ use std::vec::Vec;
 
 use self::good::{FIVE, GOOD, across, all, only, run, within};
 use super::{Unsound, demand};
-use crate::memory::Storage;
 use crate::program::{
     Assignment, Bit, Code, Condition, Edge, Evolution, Forced, Layout, Number, Op, Preset, Program,
-    Rest, Run, Slot, Stamp, Unit, Watch,
+    Rest, Run, Seen, Slot, Stamp, Unit, Watch,
 };
 
 const _: () = demand(&GOOD);
@@ -85,6 +84,8 @@ fn a_program_has_the_memory_that_its_way_of_working_needs_and_no_more() {
         remembered = 4 => Layout;
         standings = 0 => Layout;
         standings = 2 => Layout;
+        shown = 1 => Layout;
+        sets = 1 => Layout;
         // One block for each word with steps.
         situations = run(2, 3) => Layout;
     }
@@ -163,7 +164,8 @@ fn what_a_program_says_it_never_does_no_row_of_it_does() {
     }
     // The `do` block of a transition alone, and the condition of an independent statement alone.
     let duties = changed(GOOD.duties, |rows| rows[2].on_deactivation = Run::EMPTY);
-    program_refused! { stores_on_change = false, duties = &duties => Transitions; }
+    let blocks = changed(GOOD.blocks, |rows| rows[0].on_deactivation = 0);
+    program_refused! { stores_on_change = false, duties = &duties, blocks = &blocks => Transitions; }
     let momentary = changed(GOOD.momentary, |rows| rows[0].condition = all(0, 1));
     program_refused! { momentary_varies = false, dependent = &[], momentary = &momentary => Momentary; }
     let timed = changed(GOOD.momentary, |rows| {
@@ -213,6 +215,23 @@ fn momentary_statements_write_only_what_is_momentary() {
     }
 }
 
+fn seen(word: u16, bits: u32) -> Option<Seen> {
+    Some(Seen { word, bits })
+}
+
+#[test]
+fn what_is_read_of_the_inputs_counts_as_read() {
+    program_refused! {
+        read_inputs = &[] => Layout;
+        read_inputs = &[0b110] => Terms;
+        read_inputs = &[0b101] => Terms;
+        read_inputs = &[0b011] => Arms;
+    }
+    refused! {
+        ops[3] = Op::Bit(Bit(35)) => Codes;
+    }
+}
+
 #[test]
 fn edges_of_inputs_fill_words_of_their_own() {
     refused! {
@@ -222,12 +241,14 @@ fn edges_of_inputs_fill_words_of_their_own() {
         edges[0].last = 1 => Watches;
         edges[0].last = 11 => Watches;
         edges[0].last = 13 => Watches;
-        edges[0].rising = 2 => Watches;
-        edges[0].rising = 12 => Watches;
-        edges[0].rising = 1 << 11 => Watches;
-        edges[0].falling = 7 => Watches;
-        edges[0].falling = 9 => Watches;
-        edges[0].falling = 10 => Watches;
+        edges[0].rises = seen(2, 1) => Watches;
+        edges[0].rises = seen(12, 1) => Watches;
+        edges[0].rises = seen(1 << 11, 1) => Watches;
+        edges[0].rises = seen(11, 0) => Watches;
+        edges[0].rises = seen(11, 0b1000) => Watches;
+        edges[0].falls = seen(7, 1) => Watches;
+        edges[0].falls = seen(9, 1) => Watches;
+        edges[0].falls = seen(10, 1) => Watches;
     }
     // Words of the image that are gone.
     layout_refused! { words = 12 => Watches; }
@@ -291,10 +312,36 @@ fn a_demand_names_the_table() {
 
 #[test]
 fn a_storage_fits_exactly_its_program() {
-    assert!(Storage::<13, 4, 5, 5, 4, 2, 1, 0, 3>::is_sized_for(&GOOD));
-    assert!(!Storage::<12, 4, 5, 5, 4, 2, 1, 0, 3>::is_sized_for(&GOOD));
-    assert!(!Storage::<13, 4, 5, 4, 4, 2, 1, 0, 3>::is_sized_for(&GOOD));
-    assert!(!Storage::<13, 4, 5, 5, 4, 2, 2, 0, 3>::is_sized_for(&GOOD));
-    assert!(!Storage::<13, 4, 5, 5, 4, 2, 1, 1, 3>::is_sized_for(&GOOD));
-    assert!(!Storage::<13, 4, 5, 5, 4, 2, 1, 0, 2>::is_sized_for(&GOOD));
+    /// Whether storage of these lengths fits.
+    macro_rules! fits {
+        ($image:literal $numbers:literal $before:literal $before_scan:literal $fired:literal $passed:literal
+         $stack:literal $stamps:literal $standings:literal $shown:literal $sets:literal) => {{
+            crate::storage!(Storage {
+                image: $image,
+                numbers: $numbers,
+                before: $before,
+                before_scan: $before_scan,
+                fired: $fired,
+                passed: $passed,
+                stack: $stack,
+                stamps: $stamps,
+                standings: $standings,
+                shown: $shown,
+                sets: $sets
+            });
+            Storage::is_sized_for(&GOOD)
+        }};
+    }
+    assert!(fits!(13 4 5 5 1 0 2 4 3 0 0));
+    assert!(!fits!(12 4 5 5 1 0 2 4 3 0 0));
+    assert!(!fits!(13 3 5 5 1 0 2 4 3 0 0));
+    assert!(!fits!(13 4 4 5 1 0 2 4 3 0 0));
+    assert!(!fits!(13 4 5 4 1 0 2 4 3 0 0));
+    assert!(!fits!(13 4 5 5 2 0 2 4 3 0 0));
+    assert!(!fits!(13 4 5 5 1 1 2 4 3 0 0));
+    assert!(!fits!(13 4 5 5 1 0 1 4 3 0 0));
+    assert!(!fits!(13 4 5 5 1 0 2 5 3 0 0));
+    assert!(!fits!(13 4 5 5 1 0 2 4 2 0 0));
+    assert!(!fits!(13 4 5 5 1 0 2 4 3 1 0));
+    assert!(!fits!(13 4 5 5 1 0 2 4 3 0 1));
 }

@@ -2,6 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use crate::twins::{Tables, Twins};
 use grafcet::trace::Columns;
 use grafcet_compiler::application::{Application, Unit};
 use grafcet_compiler::diagnostic::Level;
@@ -11,7 +12,6 @@ use grafcet_compiler::{Target, ast, compile, parse};
 use grafcet_core::engine::Engine;
 use grafcet_core::memory::Memory;
 use grafcet_core::program::{Bit, Compiled, Number, Slot};
-use grafcet_core::vectors::Vectors;
 use grafcet_reference::{Machine, Program, Qualified};
 
 use crate::outcome::{Failure, Tally};
@@ -124,8 +124,8 @@ impl<'a> Comparison<'a> {
 
     /// Runs both and keeps the rows of the trace.
     fn compare(&self, stimulus: &[Scan], rows: &mut Vec<Vec<String>>) -> Result<Tally, Failure> {
-        let tables = self.unit.tables.program();
-        let mut engine = Engine::new(&tables, Vectors::new(&tables));
+        let tables = Tables::of(self.unit.tables.program());
+        let mut engine = Twins::new(&tables);
         let mut machine = Machine::new(self.reference);
         let mut inputs: BTreeMap<&String, i32> = self.inputs.keys().map(|name| (name, 0)).collect();
         let mut seen = Seen::default();
@@ -134,7 +134,7 @@ impl<'a> Comparison<'a> {
             if let Some(cycle) = &scan.power_cycle {
                 let kept = self.retained(&machine, cycle);
                 machine = Machine::new(self.reference);
-                engine = Engine::new(&tables, Vectors::new(&tables));
+                engine = Twins::new(&tables);
                 for (name, value) in kept {
                     let full = full_name(name);
                     let taken = engine.restore(self.slots[full.as_str()], value);
@@ -160,10 +160,7 @@ impl<'a> Comparison<'a> {
             }
             for (name, value) in &inputs {
                 machine.set(self.inputs[*name], *value);
-                match self.slots[name.as_str()] {
-                    Slot::Bit(bit) => engine.set_input(bit, *value != 0),
-                    Slot::Number(number) => engine.sample_number(number, *value),
-                }
+                engine.sample(self.slots[name.as_str()], *value);
             }
             if next_ms == 0 {
                 engine.start();
@@ -175,11 +172,14 @@ impl<'a> Comparison<'a> {
                 machine.scan(time_ms);
                 next_ms = time_ms + self.reference.period_ms;
             }
-            seen.look(&engine);
+            seen.look(engine.first());
             rows.push(machine.row());
-            self.same_rows(number, &engine, &machine)?;
+            self.same_rows(number, engine.first(), &machine)?;
+            if !engine.agree() {
+                return Err(Failure::Walks { scan: number });
+            }
         }
-        Ok(seen.tally(stimulus.len(), &engine))
+        Ok(seen.tally(stimulus.len(), engine.first()))
     }
 
     /// What is stored when power comes back.

@@ -15,6 +15,7 @@ mod render;
 mod shrink;
 mod stimulus;
 mod tool;
+mod twins;
 
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -120,7 +121,7 @@ fn report(seed: u64) -> String {
         Err(Failure::Refused(why)) => return format!("SEED={seed}: {}", Failure::Refused(why)),
         Err(failure) => failure,
     };
-    if let Failure::Row { scan, .. } = failure {
+    if let Failure::Row { scan, .. } | Failure::Walks { scan } = failure {
         case.stimulus.truncate(scan + 1);
     }
     let small = shrunk(case, |case| {

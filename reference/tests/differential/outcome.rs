@@ -17,6 +17,8 @@ pub enum Failure {
         scan: usize,
         differences: Vec<String>,
     },
+    /// The engine leaves something else when it keeps sets of words, for the first time in this scan.
+    Walks { scan: usize },
     /// One of both takes a stored value that the other refuses.
     Restored(String),
     /// The tool's trace differs.
@@ -45,6 +47,9 @@ impl fmt::Display for Failure {
                     "scan {scan} differs (engine, reference): {}",
                     differences.join("; ")
                 )
+            }
+            Failure::Walks { scan } => {
+                write!(f, "scan {scan} differs with and without sets of words")
             }
             Failure::Restored(name) => {
                 write!(f, "the stored value of `{name}` is taken by one only")

@@ -3,8 +3,8 @@
 use crate::program::{
     Arm, Assignment, Bit, Block, Code, Condition, Crossing, Dependent, Duties, Edge, Edges,
     Enclosing, Event, Evolution, Forced, Graph, Layout, Macro, Momentary, Number, NumberRow, Op,
-    Order, Preset, Program, Rest, Retained, Run, Slot, Stamp, Step, Stored, Target, Term, Timer,
-    Transition, Unit, Watch,
+    Order, Preset, Program, Rest, Retained, Run, Seen, Slot, Stamp, Step, Stored, Target, Term,
+    Timer, Transition, Unit, Watch,
 };
 
 pub(super) const fn run(start: u16, len: u16) -> Run {
@@ -74,7 +74,11 @@ const fn block(first: u16) -> Block {
     Block {
         first,
         momentary: 0,
-        duties: 0,
+        timed: 0,
+        stored: 0,
+        on_activation: 0,
+        on_deactivation: 0,
+        on_event: 0,
     }
 }
 
@@ -139,7 +143,10 @@ pub(super) const GOOD: Program<'static> = Program {
         passed: 0,
         remembered: 5,
         standings: 3,
+        shown: 0,
+        sets: 0,
     },
+    read_inputs: &[0b111],
     graphs: &[
         Graph {
             steps: run(0, 3),
@@ -171,7 +178,11 @@ pub(super) const GOOD: Program<'static> = Program {
         Block {
             first: 0,
             momentary: 0b001,
-            duties: 0b111,
+            timed: 0b001,
+            stored: 0b010,
+            on_activation: 0,
+            on_deactivation: 0b010,
+            on_event: 0b010,
         },
         block(3),
         block(4),
@@ -238,12 +249,14 @@ pub(super) const GOOD: Program<'static> = Program {
     orders: &[
         Order {
             graph: 1,
+            by: 0,
             rank: 0,
             situation: Forced::Current,
             condition: Condition::ALWAYS,
         },
         Order {
             graph: 0,
+            by: 0,
             rank: 1,
             situation: Forced::Set(2),
             condition: only(Rest::Running(1)),
@@ -287,8 +300,8 @@ pub(super) const GOOD: Program<'static> = Program {
     edges: &[Edges {
         word: 1,
         last: 10,
-        rising: 11,
-        falling: 12,
+        rises: Some(Seen { word: 11, bits: 1 }),
+        falls: Some(Seen { word: 12, bits: 1 }),
     }],
     watches: &[
         Watch::Edge {

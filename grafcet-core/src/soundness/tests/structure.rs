@@ -48,12 +48,16 @@ fn a_word_of_a_situation_leads_to_the_steps_in_it_and_to_all_that_act() {
     refused! {
         blocks[0].first = 1 => Graphs;
         blocks[3].first = 35 => Graphs;
-        blocks[0].momentary = 0b000 => Graphs;
-        blocks[0].momentary = 0b011 => Graphs;
-        blocks[0].duties = 0b011 => Graphs;
-        blocks[1].duties = 0b1 => Graphs;
-        steps[36].duties = 1 => Graphs;
-        steps[36].momentary = run(0, 1) => Graphs;
+        blocks[0].momentary = 0b000 => Steps;
+        blocks[0].momentary = 0b011 => Steps;
+        blocks[0].timed = 0b011 => Steps;
+        blocks[0].stored = 0b000 => Steps;
+        blocks[0].on_activation = 0b001 => Steps;
+        blocks[0].on_deactivation = 0b000 => Steps;
+        blocks[0].on_event = 0b110 => Steps;
+        blocks[1].timed = 0b1 => Steps;
+        steps[36].duties = 1 => Steps;
+        steps[36].momentary = run(0, 1) => Steps;
     }
 }
 

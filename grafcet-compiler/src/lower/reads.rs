@@ -1,0 +1,28 @@
+//! Who reads what.
+
+use grafcet_core::program::{Bit, Op};
+
+use crate::application::Tables;
+
+/// For each word of inputs those that anybody reads: a condition, a value, an edge.
+pub(super) fn inputs(tables: &Tables) -> Vec<u32> {
+    let terms = tables.terms.iter().map(|term| (term.word, term.mask));
+    let arms = tables.arms.iter().map(|arm| (arm.word, arm.mask));
+    let edges = tables.edges.iter().flat_map(|row| {
+        let seen = [row.rises, row.falls].into_iter().flatten();
+        seen.map(|seen| (row.word, seen.bits))
+    });
+    let bits = tables.ops.iter().filter_map(|op| match op {
+        Op::Bit(Bit(bit)) => Some((bit / 32, 1 << (bit % 32))),
+        _ => None,
+    });
+    let words = tables.layout.inputs;
+    let mut read = vec![0; usize::from(words.len)];
+    for (word, mask) in terms.chain(arms).chain(edges).chain(bits) {
+        let place = word.checked_sub(words.start).map(usize::from);
+        if let Some(inputs) = place.and_then(|place| read.get_mut(place)) {
+            *inputs |= mask;
+        }
+    }
+    read
+}

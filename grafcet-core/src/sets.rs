@@ -1,0 +1,77 @@
+//! Which words of a large program hold anything, so that a scan passes over all others.
+
+use crate::memory::{Bank, Memory};
+
+/// Neighbouring words that share a bit of a [`Set`]: mostly several of them hold something, or none.
+pub(crate) const GROUP: usize = 8;
+
+/// A set of groups of words, one bit for each.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Set {
+    /// Words of situations in which a step is active, or was before this scan (round). In all others it is neither
+    /// way.
+    Lively,
+    /// Words of transitions in which one has fired in this round.
+    Marked,
+}
+
+impl<M: Memory> Bank<M> {
+    /// Whether the sets are kept: a small program is walked over faster without.
+    #[inline(always)]
+    pub(crate) fn has_sets(&self) -> bool {
+        !self.store.sets().is_empty()
+    }
+
+    /// Of 32 neighbouring groups those that are in a set; without sets all.
+    #[inline(always)]
+    pub(crate) fn members(&self, set: Set, row: usize) -> u32 {
+        if !self.has_sets() {
+            return u32::MAX;
+        }
+        let row = self.first(set) + row;
+        self.store.sets().get(row).copied().unwrap_or(0)
+    }
+
+    /// Puts the group of a word into a set.
+    #[inline(always)]
+    pub(crate) fn insert(&mut self, set: Set, place: usize) {
+        if self.has_sets() {
+            let group = place / GROUP;
+            let row = self.first(set) + group / 32;
+            if let Some(row) = self.store.sets_mut().get_mut(row) {
+                *row |= 1 << (group % 32);
+            }
+        }
+    }
+
+    /// Takes a group of words of situations, in which nothing is active any more, out of the set.
+    #[inline(always)]
+    pub(crate) fn let_sleep(&mut self, group: usize) {
+        if let Some(row) = self.store.sets_mut().get_mut(group / 32) {
+            *row &= !(1 << (group % 32));
+        }
+    }
+
+    /// Takes 32 neighbouring groups out of the set of marked ones, and gives those that were in it.
+    pub(crate) fn take_marked(&mut self, row: usize) -> u32 {
+        let row = self.first(Set::Marked) + row;
+        self.store
+            .sets_mut()
+            .get_mut(row)
+            .map_or(0, core::mem::take)
+    }
+
+    /// Where the bits of a set begin.
+    #[inline(always)]
+    fn first(&self, set: Set) -> usize {
+        match set {
+            Set::Lively => 0,
+            Set::Marked => rows(self.store.before().len()),
+        }
+    }
+}
+
+/// How many words the bits of a set of so many words take.
+pub(crate) const fn rows(words: usize) -> usize {
+    words.div_ceil(GROUP * 32)
+}
