@@ -27,6 +27,8 @@ pub struct Link<const R: usize> {
     changes: Signal<CriticalSectionRawMutex, [i32; R]>,
     quiet_until: Signal<CriticalSectionRawMutex, Instant>,
     alarm: AtomicBool,
+    /// A lease has been made use of since the latest scan.
+    erased: AtomicBool,
 }
 
 /// A lease lasts to the next scan. This is how much of it has to be left for an erase to begin within it: between the
@@ -42,6 +44,7 @@ impl<const R: usize> Link<R> {
             changes: Signal::new(),
             quiet_until: Signal::new(),
             alarm: AtomicBool::new(false),
+            erased: AtomicBool::new(false),
         }
     }
 
@@ -50,6 +53,14 @@ impl<const R: usize> Link<R> {
         if let Some(bit) = self.wires.alarm {
             engine.set_input(bit, self.alarm.load(Ordering::Relaxed));
         }
+    }
+
+    /// Before a scan: whether the flash was erased since the one before because the program was quiet.
+    pub fn has_erased(&self) -> bool {
+        // The store does not run while the scan does.
+        let erased = self.erased.load(Ordering::Relaxed);
+        self.erased.store(false, Ordering::Relaxed);
+        erased
     }
 
     /// After a scan, before the next one at `release`: whether the program is quiet until then.
@@ -85,11 +96,13 @@ impl<const R: usize> Link<R> {
         self.changes.wait().await
     }
 
-    /// Waits for a scan that declares a quiet moment, and leaves enough of it. Each scan is good for one answer.
+    /// Waits for a scan that declares a quiet moment, and leaves enough of it, for an erase that follows at once. Each scan
+    /// is good for one.
     pub async fn quiet(&self) {
         loop {
             let until = self.quiet_until.wait().await;
             if Instant::now().saturating_add(MARGIN) < until {
+                self.erased.store(true, Ordering::Relaxed);
                 return;
             }
         }

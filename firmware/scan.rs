@@ -117,6 +117,9 @@ where
             self.inputs.watch_until(schedule.release()).await;
             self.board.begin();
             let served = schedule.serve(Instant::now());
+            if self.link.has_erased() {
+                schedule.excuse();
+            }
             log_served(&served, &schedule);
             self.engine.set_overruns(schedule.faults().overruns);
             self.inputs.read(&mut self.engine);

@@ -85,6 +85,11 @@ impl Schedule {
         self.recent.count_ones()
     }
 
+    /// The program asked for what hid the releases before this scan: they are counted, and are no part of an overload.
+    pub fn excuse(&mut self) {
+        self.recent &= !1;
+    }
+
     /// A scan starts at `now`, not before [`Schedule::release`]: it serves the latest release that is due.
     pub fn serve(&mut self, now: Instant) -> Served {
         self.recent = self.recent << 1 & (u128::MAX >> (u128::BITS - LATEST));

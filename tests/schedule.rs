@@ -124,6 +124,27 @@ fn releases_keep_their_times_where_32_bits_of_them_end_and_years_later() {
     }
 }
 
+#[test]
+fn an_overrun_that_the_program_asked_for_is_counted_and_no_part_of_an_overload() {
+    let mut schedule = schedule();
+    for _ in 0..50 {
+        let served = schedule.serve(schedule.release() + Duration::from_millis(45));
+        assert_eq!(served.missed, 4);
+        schedule.excuse();
+        schedule.complete(schedule.release());
+    }
+    assert_eq!(schedule.faults().overruns, 50);
+    assert_eq!(schedule.recent_overruns(), 0);
+    schedule.serve(schedule.release());
+    schedule.excuse();
+    schedule.complete(schedule.release() + Duration::from_millis(1));
+    assert_eq!(
+        schedule.recent_overruns(),
+        1,
+        "the scan itself took too long"
+    );
+}
+
 proptest! {
     #[test]
     fn times_are_releases_ascend_and_are_never_ahead_of_the_clock(
