@@ -1,4 +1,4 @@
-//! Walking over the bits that are set.
+//! Walking over the bits that are set, and a Boolean that is a word.
 
 /// The places of the set bits of consecutive words, lowest first.
 pub(crate) fn set_bits(words: &[u32]) -> impl Iterator<Item = usize> + '_ {
@@ -19,4 +19,12 @@ pub(crate) fn set_bits_of(word: u32) -> impl Iterator<Item = usize> {
         rest &= rest - 1;
         Some(bit)
     })
+}
+
+/// A Boolean of a word's size: an engine without gaps is moved without a call that copies memory.
+#[repr(u32)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Flag {
+    Off,
+    On,
 }

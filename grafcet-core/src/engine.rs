@@ -1,5 +1,6 @@
 //! One scan at a time: the phases of `semantics.md` in their order.
 
+use crate::bits::Flag;
 use crate::memory::{Bank, Memory, NEVER};
 use crate::program::{Bit, Compiled, Evolution, Number, Program, Slot};
 use crate::watch::Pass;
@@ -22,9 +23,9 @@ pub struct Engine<P, M> {
     /// The time stamp of the scan, in ms since scan 0.
     pub(crate) now_ms: u64,
     /// The situations are on the move and phase 5 has not timed the new ones yet.
-    pub(crate) settling: bool,
+    pub(crate) settling: Flag,
     /// The next scan is the first behind scan 0, or variables have been written from outside.
-    unusual: bool,
+    unusual: Flag,
     pub(crate) memory: Bank<M>,
 }
 
@@ -35,8 +36,8 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
             tables,
             idle_until_ms: 0,
             now_ms: 0,
-            settling: false,
-            unusual: true,
+            settling: Flag::Off,
+            unusual: Flag::On,
             memory: Bank { store },
         };
         let program = tables.program();
@@ -166,7 +167,7 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
             Slot::Number(number) => self.store_number(number, value),
         }
         self.note_change();
-        self.unusual = true;
+        self.unusual = Flag::On;
     }
 
     /// Scan 0: initialisation, at time 0.
@@ -176,7 +177,7 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
         self.now_ms = 0;
         self.memory.raise_bit(Bit::FIRST_SCAN);
         self.take_initial_situations();
-        self.settling = true;
+        self.settling = Flag::On;
         if !self.has_hierarchy() {
             // These are the situations already.
             self.stamp_activations();
@@ -187,14 +188,14 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
             self.settle_hierarchy(Pass::Start);
             self.stamp_activations();
         }
-        self.settling = false;
+        self.settling = Flag::Off;
         self.watch(program.round_watches, Pass::Start);
         self.watch(program.action_watches, Pass::Start);
         self.run_changes();
         self.run_lasting();
         self.run_momentary();
         self.memory.forget_start();
-        self.unusual = true;
+        self.unusual = Flag::On;
         self.note_change();
     }
 
@@ -230,7 +231,7 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
     /// Whether the situations are on the move, which they are at a time of their own only in a hierarchy.
     #[inline(always)]
     pub(crate) fn is_settling(&self) -> bool {
-        self.has_hierarchy() && self.settling
+        self.has_hierarchy() && self.settling == Flag::On
     }
 
     /// Whether a graph forces or encloses another.
@@ -255,7 +256,7 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
         if self.is_timed() {
             self.now_ms = time_ms;
         }
-        let unusual = core::mem::take(&mut self.unusual);
+        let unusual = core::mem::replace(&mut self.unusual, Flag::Off) == Flag::On;
         if unusual {
             self.memory.clear_bit(Bit::FIRST_SCAN);
         }
@@ -290,7 +291,7 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
         let program = tables.program();
         if self.has_hierarchy() {
             // It is. Here the compiler learns it, and that timers of triggers need no second look.
-            self.settling = false;
+            self.settling = Flag::Off;
         }
         self.watch_inputs(pass);
         self.watch(program.trigger_watches, pass);
@@ -302,7 +303,7 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
             self.refresh_macros();
         }
         if self.has_hierarchy() {
-            self.settling = true;
+            self.settling = Flag::On;
             self.settle_hierarchy(pass);
             moved = self.any_fired() || self.any_changed();
         }
@@ -311,7 +312,7 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
             self.stamp_activations();
         }
         if self.has_hierarchy() {
-            self.settling = false;
+            self.settling = Flag::Off;
         }
         moved
     }
