@@ -95,6 +95,9 @@ test('another program keeps what fits and starts the rest at what it declares, w
 
   // A value of its own makes its record the newest, and what only the first one knew is gone.
   give(other, { delay: 300, pieces: 322 });
+  // Something has to happen for the program to look at them.
+  other.connect(rounds.inputs.map(({ name }) => (name === 'halt' ? 1 : 0)));
+  other.scan();
   other.pico.runFor(WRITTEN_MS);
   assert.match(startedAgain(other)[0], /restored: 5 of 5/);
   const back = started(values, { flash: other.pico.flashImage() });
