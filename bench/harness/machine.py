@@ -77,6 +77,10 @@ class Machine:
         """The address of the next instruction."""
         raise NotImplementedError
 
+    def has(self, name):
+        """Whether there is a function of that name."""
+        return name in self._symbols
+
     def call(self, name):
         """Calls a function without arguments; the answer is how many instructions it executed."""
         self._executed = 0

@@ -9,8 +9,8 @@ One command a line; `#` begins a comment.
     all 1            writes every input
     scan N LABEL     N scans
     rest N           four scans, in which what was set before takes effect and settles, then N labelled `idle`
-    look N           N scans labelled `steady`: the 32nd input, which nothing reads, changes in each, so that an engine
-                     has to look through the whole program and finds nothing to do
+    look N           N scans labelled `steady` by `look_once`, which looks at the whole program although nothing is new,
+                     or by `scan_once` where an image has no other
     until Q=1 N L    scans until an output has a value, N at most; the one in which it gets it is labelled L
     random N         N scans with random inputs, in which time leaps now and then; the same ones every time
     expect Q=1 R=0   checks outputs
@@ -19,7 +19,6 @@ One command a line; `#` begins a comment.
 from machine import BadImage
 
 PERIOD_MS = 10
-UNREAD = 1 << 31
 
 
 class Missed(Exception):
@@ -66,9 +65,9 @@ class Run:
                 self._scans(4, "settling")
                 self._scans(int(words[0]), "idle")
             case "look":
+                look = "look_once" if self._machine.has("look_once") else "scan_once"
                 for _ in range(int(words[0])):
-                    self._word ^= UNREAD
-                    self._scan("steady")
+                    self._scan("steady", function=look)
             case "until":
                 self._until(*pairs(words[:1]), int(words[1]), words[2])
             case "random":
@@ -86,11 +85,11 @@ class Run:
     def _output(self, name):
         return self._machine.read("bench_out") >> self._outputs[name] & 1
 
-    def _scan(self, label, after_ms=PERIOD_MS):
+    def _scan(self, label, after_ms=PERIOD_MS, function="scan_once"):
         self._now_ms += after_ms
         self._machine.write("bench_in", self._word)
         self._machine.write("bench_now_ms", self._now_ms)
-        self.counts.setdefault(label, []).append(self._machine.call("scan_once"))
+        self.counts.setdefault(label, []).append(self._machine.call(function))
         self.answers.append(self._machine.read("bench_out"))
 
     def _scans(self, count, label):

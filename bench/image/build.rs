@@ -45,7 +45,12 @@ fn build() -> Result<(), String> {
     fs::write(out, tables + &lanes).map_err(failed)?;
     if env::var("CARGO_CFG_TARGET_OS").is_ok_and(|system| system == "none") {
         let script = manifest.join("link.ld");
-        for argument in ["--gc-sections", "-ubench_init", "-uscan_once"] {
+        for argument in [
+            "--gc-sections",
+            "-ubench_init",
+            "-uscan_once",
+            "-ulook_once",
+        ] {
             println!("cargo::rustc-link-arg-bins={argument}");
         }
         println!("cargo::rustc-link-arg-bins=-T{}", script.display());

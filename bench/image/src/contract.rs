@@ -1,5 +1,5 @@
-//! The contract with whatever counts instructions: the functions `bench_init` and `scan_once`, and the words
-//! `bench_in`, `bench_out` and `bench_now_ms`. Nothing is done before `bench_init` but clearing `.bss`.
+//! The contract with whatever counts instructions: the functions `bench_init`, `scan_once` and `look_once`, and the
+//! words `bench_in`, `bench_out` and `bench_now_ms`. Nothing is done before `bench_init` but clearing `.bss`.
 
 use core::mem::MaybeUninit;
 use core::ptr::{addr_of, addr_of_mut};
@@ -22,7 +22,7 @@ static mut ENGINE: MaybeUninit<Controller> = MaybeUninit::uninit();
 /// Scan 0.
 #[unsafe(no_mangle)]
 pub extern "C" fn bench_init() {
-    // SAFETY: one thread without interrupts calls the two functions here, one after the other, so nobody else holds a
+    // SAFETY: one thread without interrupts calls the functions here, one after the other, so nobody else holds a
     // reference to the engine.
     let engine = unsafe { &mut *addr_of_mut!(ENGINE) };
     let engine = engine.write(Controller::new(ThisProgram, Storage::new()));
@@ -34,9 +34,7 @@ pub extern "C" fn bench_init() {
 /// A later scan, to be called after `bench_init` only.
 #[unsafe(no_mangle)]
 pub extern "C" fn scan_once() {
-    // SAFETY: as above; `bench_init` has written the engine.
-    let engine = unsafe { (*addr_of_mut!(ENGINE)).assume_init_mut() };
-    engine.set_inputs(0, read(addr_of!(bench_in)));
+    let engine = sampled();
     #[cfg(feature = "panicking")]
     engine.set_inputs(0, super::OUTPUTS[read(addr_of!(bench_in)) as usize].mask);
     // An idle scan leaves the outputs as they are.
@@ -44,6 +42,21 @@ pub extern "C" fn scan_once() {
     if !engine.is_idle(time_ms) {
         work(engine, time_ms);
     }
+}
+
+/// The same, but the whole program is looked at even when there is nothing new.
+#[unsafe(no_mangle)]
+pub extern "C" fn look_once() {
+    work(sampled(), u64::from(read(addr_of!(bench_now_ms))));
+}
+
+/// The engine, with the inputs of now.
+#[inline(always)]
+fn sampled() -> &'static mut Controller {
+    // SAFETY: as in `bench_init`, which has written the engine.
+    let engine = unsafe { (*addr_of_mut!(ENGINE)).assume_init_mut() };
+    engine.set_inputs(0, read(addr_of!(bench_in)));
+    engine
 }
 
 /// Kept apart, so that an idle scan saves no registers for it.
