@@ -14,7 +14,7 @@ use self::rows::Row;
 use crate::application::{Application, Plant, Symbols, Tables, Wire};
 
 /// Programs with at most so many steps are walked over step by step.
-const UNROLLED_STEPS: usize = 1024;
+pub const UNROLLED_STEPS: usize = 1024;
 /// Steps that are passed over together.
 const FEW: usize = 4;
 

@@ -1,5 +1,6 @@
 //! The subcommands, and what they have in common.
 
+pub mod bound;
 pub mod check;
 pub mod fmt;
 pub mod symbols;

@@ -6,10 +6,12 @@
 //! - [`stimulus`], [`player`] and [`trace`]: CSV in, scan by scan, CSV out;
 //! - [`testing`], [`report`] and [`table`]: the tests of the language, and what is shown when one fails;
 //! - [`symbols`]: where everything lies, for tools that look into a memory;
+//! - [`bound`]: what a scan takes at most;
 //! - [`source`]: files in.
 
 #![forbid(unsafe_code)]
 
+pub mod bound;
 pub mod images;
 pub mod machine;
 pub mod player;

@@ -11,7 +11,7 @@ use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
 
-use commands::{CommandError, Verdict, check, fmt, symbols, test, trace};
+use commands::{CommandError, Verdict, bound, check, fmt, symbols, test, trace};
 
 /// Checks, runs and tests GRAFCET programs (IEC 60848) written as text.
 #[derive(Parser)]
@@ -37,6 +37,7 @@ enum Command {
     Fmt(fmt::Arguments),
     Trace(trace::Arguments),
     Test(test::Arguments),
+    Bound(bound::Arguments),
     Symbols(symbols::Arguments),
 }
 
@@ -47,6 +48,7 @@ fn main() -> ExitCode {
         Command::Fmt(arguments) => fmt::run(&arguments),
         Command::Trace(arguments) => trace::run(&arguments),
         Command::Test(arguments) => test::run(&arguments),
+        Command::Bound(arguments) => bound::run(&arguments),
         Command::Symbols(arguments) => symbols::run(&arguments),
     };
     match verdict {

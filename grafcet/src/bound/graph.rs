@@ -1,0 +1,182 @@
+//! The most that one graph takes, and the situation in which it does.
+
+use grafcet_core::program::{Graph, Step};
+
+use super::activity::Activity;
+use super::rows::Rows;
+use super::work::{Cpu, Kind, Work};
+
+/// What is asked for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Part {
+    /// All of a scan with one firing.
+    Scan,
+    /// A round of a scan that evolves `stable`: all but what follows no change.
+    Round,
+    /// What is left for the end of such a scan.
+    End,
+}
+
+/// A graph with what can be active in it.
+pub struct Acting<'p> {
+    /// The tables.
+    pub rows: Rows<'p>,
+    /// The graph.
+    pub graph: &'p Graph,
+    /// What can be active.
+    pub activity: Activity,
+}
+
+/// The most that a graph takes.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Most {
+    /// What it does.
+    pub work: Work,
+    /// In which steps, counted from the graph's first one.
+    pub steps: Vec<usize>,
+}
+
+impl Acting<'_> {
+    /// The most that it takes on a processor.
+    pub fn most(&self, part: Part, cpu: Cpu) -> Most {
+        let own = self.heaviest(cpu, |place| self.own(place, part, cpu));
+        if self.activity.given.is_empty() && !self.is_held() {
+            return own;
+        }
+        // When its own evolution is void, it stays what it was or takes what it is given.
+        let void = self.heaviest(cpu, |place| self.void(place, part, cpu));
+        let given = self.activity.given.iter().map(|set| {
+            let words = Work::of(Kind::Given, usize::from(self.graph.words.len));
+            words + set.iter().map(|place| self.enter(*place, part)).sum()
+        });
+        let given = given.fold(Work::NONE, |most, set| most.or(set, cpu));
+        let void = Most {
+            work: void.work + given,
+            steps: void.steps,
+        };
+        match void.work.tenths(cpu) > own.work.tenths(cpu) {
+            true => void,
+            false => own,
+        }
+    }
+
+    /// Whether it can be kept in its situation.
+    fn is_held(&self) -> bool {
+        self.rows.program.layout.standings > 0
+    }
+
+    fn heaviest(&self, cpu: Cpu, work: impl Fn(usize) -> Work) -> Most {
+        let works: Vec<Work> = (0..self.activity.steps.size()).map(work).collect();
+        let weights: Vec<u64> = works.iter().map(|work| work.tenths(cpu)).collect();
+        let steps = self.activity.steps.heaviest(&weights);
+        let work = steps.iter().filter_map(|it| works.get(*it)).cloned().sum();
+        Most { work, steps }
+    }
+
+    /// A step that was active: it stays so, or is left by what it arms.
+    fn own(&self, place: usize, part: Part, cpu: Cpu) -> Work {
+        let left = self.leave(place, part) + self.firings(place, part, cpu);
+        self.look(place, part) + self.stay(place, part).or(left, cpu)
+    }
+
+    /// A step that was active in a graph whose own evolution is void.
+    fn void(&self, place: usize, part: Part, cpu: Cpu) -> Work {
+        let fired = match part {
+            Part::End => 0,
+            Part::Scan | Part::Round => self.step(place).map_or(0, |step| step.arms.len),
+        };
+        self.look(place, part)
+            + Work::of(Kind::Fire, usize::from(fired))
+            + self.stay(place, part).or(self.leave(place, part), cpu)
+    }
+
+    fn step(&self, place: usize) -> Option<&Step> {
+        let steps = self.rows.program.steps.get(self.graph.steps.indices())?;
+        steps.get(place)
+    }
+
+    /// Its transitions and events.
+    fn look(&self, place: usize, part: Part) -> Work {
+        let Some(step) = self.step(place).filter(|_| part != Part::End) else {
+            return Work::NONE;
+        };
+        let rows = self.rows;
+        let duties = rows.duties(step);
+        rows.visit(rows.arms(step.arms, true))
+            + rows.visit(duties.map_or(Work::NONE, |duties| rows.events(duties)))
+    }
+
+    /// What it does while it is active.
+    fn stay(&self, place: usize, part: Part) -> Work {
+        let Some(step) = self.step(place) else {
+            return Work::NONE;
+        };
+        let rows = self.rows;
+        let duties = rows.duties(step);
+        let orders = duties.map_or(Work::NONE, |it| rows.visit(rows.orders(it.orders)));
+        let lasting = duties.map_or(Work::NONE, |it| rows.visit(rows.stored(it.stored)))
+            + rows.visit(rows.momentary(step.momentary));
+        match part {
+            Part::Scan => orders + lasting,
+            Part::Round => orders,
+            Part::End => lasting,
+        }
+    }
+
+    fn enter(&self, place: usize, part: Part) -> Work {
+        let entered = self
+            .step(place)
+            .and_then(|step| self.rows.duties(step))
+            .filter(|_| part != Part::End)
+            .map_or(Work::NONE, |duties| {
+                let stamp = Work::of(Kind::Stamp, usize::from(duties.activated.is_some()));
+                self.rows.visit(stamp) + self.rows.visit(self.rows.stored(duties.on_activation))
+            });
+        entered + self.stay(place, part)
+    }
+
+    fn leave(&self, place: usize, part: Part) -> Work {
+        self.step(place)
+            .and_then(|step| self.rows.duties(step))
+            .filter(|_| part != Part::End)
+            .map_or(Work::NONE, |duties| {
+                self.rows.visit(self.rows.stored(duties.on_deactivation))
+            })
+    }
+
+    /// The transitions of which a step is the first entrance: those of them that can fire together.
+    fn firings(&self, place: usize, part: Part, cpu: Cpu) -> Work {
+        if part == Part::End {
+            return Work::NONE;
+        }
+        let firings = self.activity.firings.iter().enumerate();
+        let own = firings.filter(|(_, firing)| firing.leaves.first() == Some(&place));
+        let own: Vec<usize> = own.map(|(at, _)| at).collect();
+        self.together(&own, part, cpu)
+    }
+
+    /// The transitions without entrance steps.
+    pub fn sources(&self, part: Part, cpu: Cpu) -> Work {
+        let firings = self.activity.firings.iter().enumerate();
+        let own = firings.filter(|(_, firing)| firing.leaves.is_empty());
+        let own: Vec<usize> = own.map(|(at, _)| at).collect();
+        self.rows.arms(self.graph.sources, false) + self.together(&own, part, cpu)
+    }
+
+    fn together(&self, firings: &[usize], part: Part, cpu: Cpu) -> Work {
+        let works: Vec<Work> = firings.iter().map(|at| self.fire(*at, part)).collect();
+        let weights: Vec<u64> = works.iter().map(|work| work.tenths(cpu)).collect();
+        let most = self.activity.simultaneous(firings).heaviest(&weights);
+        most.iter().filter_map(|at| works.get(*at)).cloned().sum()
+    }
+
+    fn fire(&self, firing: usize, part: Part) -> Work {
+        let Some(firing) = self.activity.firings.get(firing) else {
+            return Work::NONE;
+        };
+        let transition = self.rows.program.transitions.get(firing.row);
+        let itself = transition.map_or(Work::NONE, |it| self.rows.firing(it));
+        let entered = firing.enters.iter().map(|step| self.enter(*step, part));
+        itself + entered.sum()
+    }
+}

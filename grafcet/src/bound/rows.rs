@@ -1,0 +1,208 @@
+//! The work of single rows of the tables.
+
+use grafcet_compiler::emit;
+use grafcet_core::program::{
+    Assignment, Code, Condition, Crossing, Duties, Graph, Momentary, Op, Order, Program, Rest, Run,
+    Step, Stored, Transition, Watch,
+};
+
+use super::work::{Kind, Work};
+
+/// Rows of a run that the image of a small program has one by one (`grafcet-core`, `walk.rs`).
+const KNOWN: usize = 4;
+
+/// The tables, and how much of them the compiler of an image knows.
+#[derive(Clone, Copy)]
+pub struct Rows<'p> {
+    /// The tables.
+    pub program: &'p Program<'p>,
+    /// Whether walks go row by row: the program is a small one.
+    pub unrolled: bool,
+}
+
+impl<'p> Rows<'p> {
+    /// Of a program.
+    pub fn of(program: &'p Program<'p>) -> Self {
+        Rows {
+            program,
+            unrolled: program.steps.len() <= emit::UNROLLED_STEPS,
+        }
+    }
+
+    /// The work of a run, whose first rows are known if it is.
+    fn each<T>(self, run: Run, table: &[T], known: bool, work: impl Fn(&T, bool) -> Work) -> Work {
+        let known = known && self.unrolled;
+        let rows = run.of(table).iter().enumerate();
+        rows.map(|(place, row)| work(row, known && place < KNOWN))
+            .sum()
+    }
+
+    /// A condition, all of it.
+    pub fn condition(self, condition: &Condition, known: bool) -> Work {
+        let known = known && self.unrolled;
+        let term = |_: &_, known| Work::one(either(known, Kind::Term, Kind::TermLooped));
+        let terms = self.each(condition.terms, self.program.terms, known, term);
+        let code = |row: u16| self.program.codes.get(usize::from(row)).copied();
+        let rest = match condition.rest {
+            Rest::None => Work::NONE,
+            Rest::Elapsed(_) | Rest::Running(_) => timer(known),
+            Rest::Code(row) => code(row).map_or(Work::NONE, |code| self.code(code)),
+            Rest::Logic(row) => code(row).map_or(Work::NONE, |code| self.logic(code, known)),
+        };
+        terms + rest
+    }
+
+    /// Code on numbers.
+    fn code(self, code: Code) -> Work {
+        let op = |op: &Op| {
+            let beside = match op {
+                Op::Elapsed(_) | Op::StepTimer { .. } => timer(false),
+                Op::Multiply | Op::Divide | Op::Modulo => Work::one(Kind::Product),
+                _ => Work::NONE,
+            };
+            Work::one(Kind::Operation) + beside
+        };
+        Work::one(Kind::Code) + self.operations(code).iter().map(op).sum()
+    }
+
+    /// Code on Booleans.
+    fn logic(self, code: Code, known: bool) -> Work {
+        let ops = self.operations(code).iter().enumerate();
+        ops.map(|(place, op)| {
+            let known = known && place < KNOWN;
+            let beside = match op {
+                Op::Elapsed(_) => timer(known),
+                _ => Work::NONE,
+            };
+            Work::one(either(known, Kind::Logic, Kind::LogicLooped)) + beside
+        })
+        .sum()
+    }
+
+    fn operations(self, code: Code) -> &'p [Op] {
+        let start = code.start as usize;
+        let ops = self.program.ops.get(start..start + usize::from(code.len));
+        ops.unwrap_or_default()
+    }
+
+    /// The transitions that a step arms, or a graph always does.
+    pub fn arms(self, run: Run, known: bool) -> Work {
+        self.each(run, self.program.arms, known, |arm, known| {
+            let transition = self.program.transitions.get(usize::from(arm.transition));
+            let condition = transition.map(|it| self.condition(&it.fires, known));
+            Work::one(either(known, Kind::Arm, Kind::ArmLooped)) + condition.unwrap_or(Work::NONE)
+        })
+    }
+
+    /// What the firing of a transition takes itself.
+    pub fn firing(self, transition: &Transition) -> Work {
+        let links = match transition.crossing {
+            Crossing::Within { .. } => 0,
+            Crossing::Across { entrance, exit } => usize::from(entrance.len + exit.len),
+        };
+        Work::one(Kind::Fire) + Work::of(Kind::Link, links) + self.stored(transition.actions)
+    }
+
+    /// Momentary statements.
+    pub fn momentary(self, run: Run) -> Work {
+        self.each(run, self.program.momentary, true, |row, known| {
+            Work::one(either(known, Kind::Momentary, Kind::MomentaryLooped))
+                + self.shown(row, known)
+        })
+    }
+
+    /// The condition and the variables of a momentary statement.
+    pub fn shown(self, row: &Momentary, known: bool) -> Work {
+        let target = |_: &_, known| Work::one(either(known, Kind::Target, Kind::TargetLooped));
+        self.condition(&row.condition, known)
+            + self.each(row.targets, self.program.targets, known, target)
+    }
+
+    /// Stored statements.
+    pub fn stored(self, run: Run) -> Work {
+        self.each(run, self.program.stored, false, |row: &Stored, _| {
+            let value = match &row.assignment {
+                Assignment::Bit(_, value) => Work::one(Kind::Bit) + self.condition(value, false),
+                Assignment::Number(_, value) => Work::one(Kind::Number) + self.code(*value),
+            };
+            Work::one(Kind::Stored) + self.condition(&row.condition, false) + value
+        })
+    }
+
+    /// Edges and timers with memories of their own.
+    pub fn watches(self, run: Run, known: bool) -> Work {
+        self.each(run, self.program.watches, known, |watch, known| {
+            let delay = Work::one(either(known, Kind::Delay, Kind::DelayLooped));
+            match watch {
+                Watch::Edge { operand, .. } => {
+                    Work::one(either(known, Kind::Edge, Kind::EdgeLooped))
+                        + self.condition(operand, known)
+                }
+                Watch::Timer { enable, preset, .. }
+                | Watch::OnDelay {
+                    enable,
+                    delay: preset,
+                    ..
+                }
+                | Watch::OffDelay {
+                    on: enable,
+                    hold: preset,
+                    ..
+                } => delay + self.condition(enable, known) + self.code(*preset),
+                Watch::Value { condition, .. } => {
+                    Work::one(either(known, Kind::Value, Kind::ValueLooped))
+                        + self.condition(condition, known)
+                }
+            }
+        })
+    }
+
+    /// Orders.
+    pub fn orders(self, run: Run) -> Work {
+        self.each(run, self.program.orders, false, |order: &Order, _| {
+            Work::one(Kind::Order) + self.condition(&order.condition, false)
+        })
+    }
+
+    /// What a graph has to do in the hierarchy whatever it is in.
+    pub fn standing(self, graph: &Graph) -> Work {
+        Work::one(Kind::Graph)
+            + Work::of(Kind::Ordered, usize::from(graph.words.len))
+            + Work::of(Kind::Enclosing, usize::from(graph.enclosings.len))
+            + self.watches(graph.self_watches, false)
+            + self.watches(graph.watches, false)
+            + self.orders(graph.self_orders)
+            + self.orders(graph.orders)
+    }
+
+    /// Statements `on event`.
+    pub fn events(self, duties: &Duties) -> Work {
+        self.each(duties.on_event, self.program.events, false, |event, _| {
+            Work::one(Kind::Event) + self.stored(event.stored)
+        })
+    }
+
+    /// A visit to a step on a walk on which something is to be done for it.
+    pub fn visit(self, what: Work) -> Work {
+        match what == Work::NONE {
+            true => what,
+            false => Work::one(either(self.unrolled, Kind::Visit, Kind::VisitLooped)) + what,
+        }
+    }
+
+    /// What a step does beside momentary actions.
+    pub fn duties(self, step: &Step) -> Option<&'p Duties> {
+        match step.duties {
+            0 => None,
+            row => self.program.duties.get(usize::from(row)),
+        }
+    }
+}
+
+fn timer(known: bool) -> Work {
+    Work::one(either(known, Kind::Timer, Kind::TimerLooped))
+}
+
+fn either(known: bool, one: Kind, looped: Kind) -> Kind {
+    if known { one } else { looped }
+}

@@ -1,0 +1,239 @@
+//! Triggers as Boolean functions, and whether two of them can be True at once.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use grafcet_core::program::{Arm, Code, Condition, Op, Program, Rest, Term};
+
+/// Ways in which things can stand that are tried; where there are more, two triggers are taken to be True together.
+const MOST_WAYS: usize = 1 << 14;
+
+/// When a transition fires that is armed.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Trigger {
+    terms: Vec<Term>,
+    rest: Formula,
+}
+
+/// A Boolean function.
+#[derive(Clone, Debug, PartialEq, Eq)]
+enum Formula {
+    Constant(bool),
+    /// Something is True.
+    Is(Thing),
+    /// Two values compare in one of these ways, by the order of the ways: less, equal, greater.
+    Compares(Thing, [bool; 3]),
+    Not(Box<Formula>),
+    /// An operation on two Booleans.
+    Both(Op, Box<Formula>, Box<Formula>),
+}
+
+/// What a function depends on. Nothing is assumed of how two of them go together.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+enum Thing {
+    Bit(u16),
+    /// A row of the timers.
+    Timer(u16),
+    /// How the values of two pieces of code compare.
+    Pair(String, String),
+    /// What a piece of code leaves.
+    Value(String),
+}
+
+impl Thing {
+    fn ways(&self) -> usize {
+        match self {
+            Thing::Pair(..) => 3,
+            _ => 2,
+        }
+    }
+}
+
+impl Trigger {
+    /// Of a transition, with the term in its arm.
+    #[must_use]
+    pub fn of(program: &Program<'_>, arm: Option<&Arm>, fires: &Condition) -> Self {
+        let first = arm.map(|arm| Term {
+            word: arm.word,
+            mask: arm.mask,
+            state: arm.state,
+        });
+        let terms = fires.terms.of(program.terms).iter().copied();
+        let code = |row: u16| program.codes.get(usize::from(row));
+        let rest = match fires.rest {
+            Rest::None => Formula::Constant(true),
+            Rest::Elapsed(timer) => Formula::Is(Thing::Timer(timer)),
+            Rest::Running(timer) => Formula::Not(Box::new(Formula::Is(Thing::Timer(timer)))),
+            Rest::Code(row) | Rest::Logic(row) => {
+                code(row).map_or(Formula::Constant(true), |code| formula(program, *code))
+            }
+        };
+        Trigger {
+            terms: first.into_iter().chain(terms).collect(),
+            rest,
+        }
+    }
+
+    /// Whether two can never be True at once.
+    #[must_use]
+    pub fn excludes(&self, other: &Trigger) -> bool {
+        let contradict = |one: &Term| {
+            let against = |other: &Term| {
+                one.word == other.word && one.mask & other.mask & (one.state ^ other.state) != 0
+            };
+            other.terms.iter().any(against)
+        };
+        self.terms.iter().any(contradict) || !self.meets(other)
+    }
+
+    /// Whether it is False unless one of some bits of the image is True: masks by words.
+    #[must_use]
+    pub fn waits_for(&self, bits: &BTreeMap<u16, u32>) -> bool {
+        let waits = |term: &Term| {
+            let bits = bits.get(&term.word).copied().unwrap_or(0);
+            term.mask & term.state & bits != 0
+        };
+        self.terms.iter().any(waits)
+    }
+
+    /// Tries all ways in which what the two depend on can stand.
+    fn meets(&self, other: &Trigger) -> bool {
+        let fixed: BTreeMap<Thing, usize> = [self, other]
+            .into_iter()
+            .flat_map(|trigger| trigger.terms.iter().flat_map(literals))
+            .collect();
+        let mut things = BTreeSet::new();
+        self.rest.things(&mut things);
+        other.rest.things(&mut things);
+        things.retain(|thing| !fixed.contains_key(thing));
+        let ways = things.iter().map(Thing::ways);
+        let ways = ways.fold(1, usize::saturating_mul);
+        if ways > MOST_WAYS {
+            return true;
+        }
+        let mut stand = fixed;
+        (0..ways).any(|way| {
+            let mut way = way;
+            for thing in &things {
+                stand.insert(thing.clone(), way % thing.ways());
+                way /= thing.ways();
+            }
+            self.rest.holds(&stand) && other.rest.holds(&stand)
+        })
+    }
+}
+
+/// The bits of a term, and how they must stand.
+fn literals(term: &Term) -> impl Iterator<Item = (Thing, usize)> + '_ {
+    let bits = (0..32).filter(|bit| term.mask >> bit & 1 != 0);
+    bits.map(|bit| {
+        let is = term.state >> bit & 1;
+        (Thing::Bit(term.word * 32 + bit), is as usize)
+    })
+}
+
+impl Formula {
+    fn things(&self, things: &mut BTreeSet<Thing>) {
+        match self {
+            Formula::Constant(_) => {}
+            Formula::Is(thing) | Formula::Compares(thing, _) => {
+                things.insert(thing.clone());
+            }
+            Formula::Not(inner) => inner.things(things),
+            Formula::Both(_, left, right) => {
+                left.things(things);
+                right.things(things);
+            }
+        }
+    }
+
+    fn holds(&self, stand: &BTreeMap<Thing, usize>) -> bool {
+        let way = |thing| stand.get(thing).copied().unwrap_or(0);
+        match self {
+            Formula::Constant(value) => *value,
+            Formula::Is(thing) => way(thing) != 0,
+            Formula::Compares(thing, ways) => ways.get(way(thing)).copied().unwrap_or(false),
+            Formula::Not(inner) => !inner.holds(stand),
+            Formula::Both(op, left, right) => {
+                let (left, right) = (left.holds(stand), right.holds(stand));
+                match op {
+                    Op::And => left && right,
+                    Op::Or => left || right,
+                    _ => left != right,
+                }
+            }
+        }
+    }
+}
+
+/// What stands on the stack while code is read.
+#[derive(Clone)]
+struct Read {
+    /// As code, which is the same for the same value.
+    text: String,
+    /// As a function, for what is known to be Boolean.
+    formula: Option<Formula>,
+}
+
+impl Read {
+    fn formula(self) -> Formula {
+        let text = self.text;
+        self.formula.unwrap_or(Formula::Is(Thing::Value(text)))
+    }
+}
+
+/// Code whose value is a condition, as a function.
+fn formula(program: &Program<'_>, code: Code) -> Formula {
+    let start = code.start as usize;
+    let ops = program.ops.get(start..start + usize::from(code.len));
+    let mut stack: Vec<Read> = Vec::new();
+    for op in ops.unwrap_or_default() {
+        let read = read(*op, &mut stack);
+        stack.push(read);
+    }
+    stack.pop().map_or(Formula::Constant(true), Read::formula)
+}
+
+fn read(op: Op, stack: &mut Vec<Read>) -> Read {
+    let nothing = Read {
+        text: String::new(),
+        formula: None,
+    };
+    let mut pop = || stack.pop().unwrap_or(nothing.clone());
+    let (text, formula) = match op {
+        Op::Constant(value @ (0 | 1)) => (format!("{value}"), Some(Formula::Constant(value == 1))),
+        Op::Constant(value) => (format!("{value}"), None),
+        Op::Bit(bit) => (format!("b{}", bit.0), Some(Formula::Is(Thing::Bit(bit.0)))),
+        Op::Number(number) => (format!("n{}", number.0), None),
+        Op::Elapsed(timer) => (format!("t{timer}"), Some(Formula::Is(Thing::Timer(timer)))),
+        Op::Not => {
+            let inner = pop();
+            let text = format!("({}) Not", inner.text);
+            (text, Some(Formula::Not(Box::new(inner.formula()))))
+        }
+        Op::Negate | Op::StepTimer { .. } => (format!("({}) {op:?}", pop().text), None),
+        _ => {
+            let (right, left) = (pop(), pop());
+            let text = format!("({}) ({}) {op:?}", left.text, right.text);
+            (text, binary(op, left, right))
+        }
+    };
+    Read { text, formula }
+}
+
+/// An operation on two values, as a function if it leaves a Boolean.
+fn binary(op: Op, left: Read, right: Read) -> Option<Formula> {
+    let ways = match op {
+        Op::And | Op::Or | Op::Xor => {
+            let (left, right) = (Box::new(left.formula()), Box::new(right.formula()));
+            return Some(Formula::Both(op, left, right));
+        }
+        Op::Less => [true, false, false],
+        Op::LessOrEqual => [true, true, false],
+        Op::Equal => [false, true, false],
+        Op::NotEqual => [true, false, true],
+        Op::GreaterOrEqual => [false, true, true],
+        Op::Greater => [false, false, true],
+        _ => return None,
+    };
+    Some(Formula::Compares(Thing::Pair(left.text, right.text), ways))
+}
