@@ -158,8 +158,11 @@ fn once(rows: Rows<'_>) -> Work {
 /// What is done once in a round, beside walks over steps.
 fn repeated(rows: Rows<'_>) -> Work {
     let program = rows.program;
-    let searches = 1
-        + usize::from(program.stores_on_change)
+    let marks = match program.layout.fired {
+        1 => 0,
+        words => usize::from(words),
+    };
+    let searches = usize::from(program.stores_on_change)
         + 2 * usize::from(!program.links.is_empty())
         + usize::from(program.evolution == Evolution::Stable);
     let inner = program.macros.iter().map(|it| usize::from(it.steps.len));
@@ -173,7 +176,8 @@ fn repeated(rows: Rows<'_>) -> Work {
     };
     Work::of(Kind::Edges, program.edges.len())
         + rows.watches(program.trigger_watches, true)
-        + Work::of(Kind::Marks, usize::from(program.layout.fired) * searches)
+        + Work::of(Kind::Marks, marks)
+        + Work::of(Kind::Search, usize::from(program.layout.fired) * searches)
         + Work::of(Kind::Macro, program.macros.len())
         + Work::of(Kind::Inner, inner.sum())
         + standings

@@ -19,6 +19,8 @@ const MOST_STEPS: usize = 2048;
 pub struct Activity {
     /// Which steps can be active together.
     pub steps: Together,
+    /// How many can be active together at most.
+    pub most: usize,
     /// Its transitions in source order.
     pub firings: Vec<Firing>,
     /// The sets of steps that an order or an enclosing step gives it.
@@ -53,8 +55,13 @@ impl Activity {
             true => Together::all(size),
             false => explored(size, &begins, &firings),
         };
+        let most = match never_more(&firings) {
+            true => begins.iter().map(Vec::len).max().unwrap_or(0),
+            false => size,
+        };
         Activity {
             steps,
+            most,
             firings,
             given,
         }
@@ -79,9 +86,20 @@ impl Activity {
 }
 
 impl Firing {
-    fn shares_an_entrance(&self, other: &Firing) -> bool {
+    /// Whether two leave the same step, and can do so at once.
+    fn conflicts(&self, other: &Firing) -> bool {
         self.leaves.iter().any(|step| other.leaves.contains(step))
+            && !self.trigger.excludes(&other.trigger)
     }
+}
+
+/// Whether no firing makes more steps active than were.
+fn never_more(firings: &[Firing]) -> bool {
+    firings.iter().enumerate().all(|(place, one)| {
+        let mut others = firings.iter().enumerate();
+        one.enters.len() <= one.leaves.len()
+            && others.all(|(at, other)| at == place || !one.conflicts(other))
+    })
 }
 
 /// What any sequence of firings reaches, pair by pair.
@@ -93,9 +111,7 @@ fn explored(size: usize, begins: &[Vec<usize>], firings: &[Firing]) -> Together 
     let mut conflicts: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
     for (place, one) in firings.iter().enumerate() {
         let others = firings.iter().enumerate();
-        let others = others.filter(|(at, other)| {
-            *at != place && one.shares_an_entrance(other) && !one.trigger.excludes(&other.trigger)
-        });
+        let others = others.filter(|(at, other)| *at != place && one.conflicts(other));
         conflicts.insert(place, others.map(|(at, _)| at).collect());
     }
     loop {

@@ -68,7 +68,7 @@ impl Acting<'_> {
     fn heaviest(&self, cpu: Cpu, work: impl Fn(usize) -> Work) -> Most {
         let works: Vec<Work> = (0..self.activity.steps.size()).map(work).collect();
         let weights: Vec<u64> = works.iter().map(|work| work.tenths(cpu)).collect();
-        let steps = self.activity.steps.heaviest(&weights);
+        let steps = self.activity.steps.heaviest(&weights, self.activity.most);
         let work = steps.iter().filter_map(|it| works.get(*it)).cloned().sum();
         Most { work, steps }
     }
@@ -76,7 +76,17 @@ impl Acting<'_> {
     /// A step that was active: it stays so, or is left by what it arms.
     fn own(&self, place: usize, part: Part, cpu: Cpu) -> Work {
         let left = self.leave(place, part) + self.firings(place, part, cpu);
-        self.look(place, part) + self.stay(place, part).or(left, cpu)
+        let stays = match part != Part::End && self.is_left_at_once(place) {
+            true => Work::NONE,
+            false => self.stay(place, part),
+        };
+        self.look(place, part) + stays.or(left, cpu)
+    }
+
+    /// Whether a transition whose trigger is `True` leaves a step, and it alone.
+    fn is_left_at_once(&self, place: usize) -> bool {
+        let mut firings = self.activity.firings.iter();
+        firings.any(|it| it.leaves == [place] && it.trigger.is_certain())
     }
 
     /// A step that was active in a graph whose own evolution is void.
@@ -166,7 +176,8 @@ impl Acting<'_> {
     fn together(&self, firings: &[usize], part: Part, cpu: Cpu) -> Work {
         let works: Vec<Work> = firings.iter().map(|at| self.fire(*at, part)).collect();
         let weights: Vec<u64> = works.iter().map(|work| work.tenths(cpu)).collect();
-        let most = self.activity.simultaneous(firings).heaviest(&weights);
+        let together = self.activity.simultaneous(firings);
+        let most = together.heaviest(&weights, usize::MAX);
         most.iter().filter_map(|at| works.get(*at)).cloned().sum()
     }
 

@@ -82,7 +82,7 @@ fn behind(graph: &Activity, edges: &BTreeMap<u16, u32>) -> Option<u64> {
         .map(|step| height(step, &later, &mut heights))
         .collect();
     let heights = heights?;
-    let most = graph.steps.heaviest(&heights);
+    let most = graph.steps.heaviest(&heights, graph.most);
     Some(most.iter().filter_map(|step| heights.get(*step)).sum())
 }
 

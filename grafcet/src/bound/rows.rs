@@ -18,6 +18,8 @@ pub struct Rows<'p> {
     pub program: &'p Program<'p>,
     /// Whether walks go row by row: the program is a small one.
     pub unrolled: bool,
+    /// Whether there is only one piece of code on numbers.
+    one_code: bool,
 }
 
 impl<'p> Rows<'p> {
@@ -26,6 +28,7 @@ impl<'p> Rows<'p> {
         Rows {
             program,
             unrolled: program.steps.len() <= emit::UNROLLED_STEPS,
+            one_code: codes(program) == 1,
         }
     }
 
@@ -60,7 +63,11 @@ impl<'p> Rows<'p> {
                 Op::Multiply | Op::Divide | Op::Modulo => Work::one(Kind::Product),
                 _ => Work::NONE,
             };
-            Work::one(Kind::Operation) + beside
+            Work::one(either(
+                self.one_code,
+                Kind::Operation,
+                Kind::OperationLooped,
+            )) + beside
         };
         Work::one(Kind::Code) + self.operations(code).iter().map(op).sum()
     }
@@ -159,20 +166,28 @@ impl<'p> Rows<'p> {
 
     /// Orders.
     pub fn orders(self, run: Run) -> Work {
-        self.each(run, self.program.orders, false, |order: &Order, _| {
-            Work::one(Kind::Order) + self.condition(&order.condition, false)
+        let known = self.has_one_graph();
+        self.each(run, self.program.orders, known, |order: &Order, known| {
+            Work::one(either(known, Kind::Order, Kind::OrderLooped))
+                + self.condition(&order.condition, known)
         })
     }
 
     /// What a graph has to do in the hierarchy whatever it is in.
     pub fn standing(self, graph: &Graph) -> Work {
-        Work::one(Kind::Graph)
+        // Of a graph without steps little is left, even in a loop.
+        let known = self.has_one_graph() || graph.words.len == 0;
+        Work::one(either(known, Kind::Graph, Kind::GraphLooped))
             + Work::of(Kind::Ordered, usize::from(graph.words.len))
             + Work::of(Kind::Enclosing, usize::from(graph.enclosings.len))
-            + self.watches(graph.self_watches, false)
-            + self.watches(graph.watches, false)
+            + self.watches(graph.self_watches, self.has_one_graph())
+            + self.watches(graph.watches, self.has_one_graph())
             + self.orders(graph.self_orders)
             + self.orders(graph.orders)
+    }
+
+    fn has_one_graph(self) -> bool {
+        self.unrolled && self.program.graphs.len() == 1
     }
 
     /// Statements `on event`.
@@ -197,6 +212,18 @@ impl<'p> Rows<'p> {
             row => self.program.duties.get(usize::from(row)),
         }
     }
+}
+
+/// Pieces of code on numbers.
+fn codes(program: &Program<'_>) -> usize {
+    let conditions = program.codes.len();
+    let stored = program.stored.iter();
+    let stored = stored.filter(|row| matches!(row.assignment, Assignment::Number(..)));
+    let delays = program
+        .watches
+        .iter()
+        .filter(|watch| !matches!(watch, Watch::Edge { .. } | Watch::Value { .. }));
+    conditions + stored.count() + delays.count()
 }
 
 fn timer(known: bool) -> Work {

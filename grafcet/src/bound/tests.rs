@@ -115,6 +115,24 @@ fn branches_that_run_in_parallel_are_active_together_and_no_others() {
 }
 
 #[test]
+fn steps_that_go_round_do_not_become_more() {
+    let unit = unit(&format!(
+        "{INPUTS}
+        graph G {{
+            initial step 1; initial step 2 {{ Q }}; step 3; step 4
+            transition 1: 1 -> 2 when a; transition 2: 2 -> 3 when b
+            transition 3: 3 -> 4 when c; transition 4: 4 -> 1 when d
+        }}"
+    ));
+    let activity = activities(&unit).remove(0);
+    assert_eq!(activity.most, 2);
+    assert_eq!(
+        activity.steps.heaviest(&[1, 3, 1, 2], activity.most),
+        [1, 3]
+    );
+}
+
+#[test]
 fn what_is_forced_is_active_together() {
     let graphs = "graph G {
         initial step 1; step 2 { Q }; step 3

@@ -61,10 +61,10 @@ impl Together {
         (0..self.size()).filter(all)
     }
 
-    /// Those whose weights are together the most that can be there at once; where that takes too long to find, some
+    /// Those, so many at most, whose weights are together the most that can be there at once; where that takes too long to find, some
     /// whose weights are surely not less.
     #[must_use]
-    pub fn heaviest(&self, weights: &[u64]) -> Vec<usize> {
+    pub fn heaviest(&self, weights: &[u64], most: usize) -> Vec<usize> {
         let weight = |one: usize| weights.get(one).copied().unwrap_or(0);
         let mut there: Vec<usize> = (0..self.size())
             .filter(|one| self.are(*one, *one) && weight(*one) > 0)
@@ -74,20 +74,22 @@ impl Together {
             together: self,
             weights,
             best: Vec::new(),
-            most: 0,
+            heaviest: 0,
+            most,
             branches: 0,
         };
         search.branch(&there, &mut Vec::new(), 0);
         let mut found = match search.branches > MOST_BRANCHES {
-            true => self.one_of_each(&there),
+            true => self.one_of_each(&there, most),
             false => search.best,
         };
         found.sort_unstable();
         found
     }
 
-    /// Parts them into groups of which only one can be there at a time, and gives the first of each group.
-    fn one_of_each(&self, these: &[usize]) -> Vec<usize> {
+    /// Parts them into groups of which only one can be there at a time, and gives the first of each group, of
+    /// so many groups at most: the heaviest, when these are in the order of their weights.
+    fn one_of_each(&self, these: &[usize], most: usize) -> Vec<usize> {
         let mut groups: Vec<Vec<usize>> = Vec::new();
         for &one in these {
             let apart = |group: &&mut Vec<usize>| group.iter().all(|it| !self.are(*it, one));
@@ -96,10 +98,8 @@ impl Together {
                 None => groups.push(vec![one]),
             }
         }
-        groups
-            .iter()
-            .filter_map(|group| group.first().copied())
-            .collect()
+        let firsts = groups.iter().filter_map(|group| group.first());
+        firsts.take(most).copied().collect()
     }
 }
 
@@ -108,22 +108,24 @@ struct Search<'a> {
     together: &'a Together,
     weights: &'a [u64],
     best: Vec<usize>,
-    most: u64,
+    heaviest: u64,
+    most: usize,
     branches: u32,
 }
 
 impl Search<'_> {
     /// Adds to what has been taken any of the rest, the heaviest of which come first.
     fn branch(&mut self, rest: &[usize], taken: &mut Vec<usize>, weight: u64) {
-        if weight > self.most {
-            self.most = weight;
+        if weight > self.heaviest {
+            self.heaviest = weight;
             self.best.clone_from(taken);
         }
         let mut rest = rest;
         while let [first, behind @ ..] = rest {
-            let most = self.together.one_of_each(rest);
+            let places = self.most.saturating_sub(taken.len());
+            let most = self.together.one_of_each(rest, places);
             let most: u64 = most.into_iter().map(|one| self.weight(one)).sum();
-            if weight + most <= self.most || self.branches > MOST_BRANCHES {
+            if weight + most <= self.heaviest || self.branches > MOST_BRANCHES {
                 return;
             }
             self.branches += 1;
@@ -158,25 +160,34 @@ mod tests {
 
     #[test]
     fn of_those_that_are_never_together_the_heaviest_is_taken() {
-        assert_eq!(related(3, &[]).heaviest(&[2, 5, 3]), [1]);
+        assert_eq!(related(3, &[]).heaviest(&[2, 5, 3], usize::MAX), [1]);
     }
 
     #[test]
     fn two_together_outweigh_a_heavier_one() {
-        assert_eq!(related(3, &[(0, 2)]).heaviest(&[3, 5, 3]), [0, 2]);
+        assert_eq!(
+            related(3, &[(0, 2)]).heaviest(&[3, 5, 3], usize::MAX),
+            [0, 2]
+        );
     }
 
     #[test]
     fn a_ring_of_pairs_is_not_taken_for_all_of_them_together() {
         let ring = related(4, &[(0, 1), (1, 2), (2, 3), (3, 0)]);
-        assert_eq!(ring.heaviest(&[1, 1, 1, 2]), [0, 3]);
+        assert_eq!(ring.heaviest(&[1, 1, 1, 2], usize::MAX), [0, 3]);
+    }
+
+    #[test]
+    fn no_more_are_taken_than_can_be_there() {
+        let all = Together::all(4);
+        assert_eq!(all.heaviest(&[1, 4, 2, 3], 2), [1, 3]);
     }
 
     #[test]
     fn who_is_never_there_weighs_nothing() {
         let mut together = Together::none(2);
         together.join(0, 0);
-        assert_eq!(together.heaviest(&[1, 100]), [0]);
+        assert_eq!(together.heaviest(&[1, 100], usize::MAX), [0]);
     }
 
     #[test]
@@ -194,7 +205,7 @@ mod tests {
             }
         }
         let weights: Vec<u64> = (0..150).map(|one| 10 + one * 7 % 11).collect();
-        let heaviest = together.heaviest(&weights);
+        let heaviest = together.heaviest(&weights, usize::MAX);
         let found: u64 = heaviest.iter().filter_map(|one| weights.get(*one)).sum();
         let of_rank = |rank: usize| {
             (0..50)

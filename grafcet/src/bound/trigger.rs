@@ -73,6 +73,12 @@ impl Trigger {
         }
     }
 
+    /// Whether it is True whatever stands how.
+    #[must_use]
+    pub fn is_certain(&self) -> bool {
+        self.terms.iter().all(|term| term.mask == 0) && self.rest == Formula::Constant(true)
+    }
+
     /// Whether two can never be True at once.
     #[must_use]
     pub fn excludes(&self, other: &Trigger) -> bool {

@@ -39,7 +39,7 @@ impl Cpu {
 macro_rules! kinds {
     ($($(#[$doc:meta])* $kind:ident $m0plus:literal $m4:literal)*) => {
         /// What a scan does. The kinds whose names end in `Looped` are for rows that the compiler does not know one by
-        /// one: behind the fourth of a run, or of a large program.
+        /// one: behind the fourth of a run, of a large program, or of what there is more of than one.
         #[allow(missing_docs, reason = "those that end in `Looped` are documented here")]
         #[derive(Clone, Copy, Debug, PartialEq, Eq)]
         pub enum Kind { $($(#[$doc])* $kind),* }
@@ -88,15 +88,18 @@ kinds! {
     /// A piece of code on numbers.
     Code 150 100
     /// An operation of it.
-    Operation 350 300
+    Operation 150 120
+    OperationLooped 550 440
     /// A multiplication or division, beside that.
     Product 2500 100
     /// A transition fires.
     Fire 250 200
     /// A step of a large graph is left or entered.
     Link 250 200
+    /// A word of transitions is cleared, where there are several.
+    Marks 40 30
     /// A word of transitions is searched for those that have fired.
-    Marks 200 150
+    Search 120 90
     /// A momentary statement.
     Momentary 60 50
     MomentaryLooped 150 120
@@ -133,11 +136,13 @@ kinds! {
     /// A step of its expansion.
     Inner 120 100
     /// A graph takes its place in the hierarchy.
-    Graph 1500 1200
+    Graph 600 480
+    GraphLooped 900 720
     /// A word of its situation is ordered through.
     Ordered 200 150
     /// An order.
-    Order 500 400
+    Order 300 240
+    OrderLooped 900 720
     /// A step that encloses a graph.
     Enclosing 300 250
     /// A word of a situation is given.
