@@ -1,8 +1,9 @@
-"""What the comparison with the checked-in counts and the reading of code promise."""
+"""What the comparisons and the reading of code promise."""
 
 import unittest
 from dataclasses import replace
 
+from bounds import judge, stimuli
 from counts import Counts, compare, to_text
 from cortex_m import instructions
 from large import sequences
@@ -65,6 +66,26 @@ class Large(unittest.TestCase):
     def test_no_step_waits_for_the_input_that_nothing_reads(self):
         inputs = {it.trigger(step) for it in sequences(10_000) for step in it.steps()}
         self.assertEqual(inputs, set(range(31)))
+
+
+class Bounds(unittest.TestCase):
+    """What is held against `grafcet bound`."""
+
+    def test_a_bound_holds_when_it_is_reached_and_up_to_twice_that(self):
+        self.assertIsNone(judge(100, 100))
+        self.assertIsNone(judge(100, 200))
+
+    def test_a_bound_that_is_exceeded_is_wrong(self):
+        self.assertEqual(judge(101, 100), "a scan took 101 instructions, 100 are stated as the most")
+
+    def test_a_bound_of_more_than_twice_what_is_reached_is_wrong(self):
+        self.assertIn("more than 2 times", judge(100, 201))
+
+    def test_every_input_is_seen_in_both_states_and_time_leaps(self):
+        words, times = zip(*stimuli(3))
+        self.assertEqual(set(words), set(range(8)))
+        self.assertEqual(min(times), 10)
+        self.assertGreater(max(times), 10_000)
 
 
 class Code(unittest.TestCase):

@@ -85,7 +85,7 @@ impl Bound {
         let rounds = Rounds::of(program, &activities);
         let lanes = Work::of(Kind::Lane, lanes(&unit.symbols.variables));
         let once = once(rows) + lanes + walks(rows, &graphs, Walks::Scan);
-        let repeated = repeated(rows) + walks(rows, &graphs, Walks::Round);
+        let repeated = repeated(rows, marked(rows, &graphs)) + walks(rows, &graphs, Walks::Round);
         let (part, always, end) = match program.evolution {
             Evolution::Scan => (Part::Scan, repeated + once, Work::NONE),
             Evolution::Stable => {
@@ -156,11 +156,11 @@ fn once(rows: Rows<'_>) -> Work {
 }
 
 /// What is done once in a round, beside walks over steps.
-fn repeated(rows: Rows<'_>) -> Work {
+fn repeated(rows: Rows<'_>, marked: usize) -> Work {
     let program = rows.program;
     let marks = match program.layout.fired {
         1 => 0,
-        words => usize::from(words),
+        _ => marked,
     };
     let searches = usize::from(program.stores_on_change)
         + 2 * usize::from(!program.links.is_empty())
@@ -177,7 +177,7 @@ fn repeated(rows: Rows<'_>) -> Work {
     Work::of(Kind::Edges, program.edges.len())
         + rows.watches(program.trigger_watches, true)
         + Work::of(Kind::Marks, marks)
-        + Work::of(Kind::Search, usize::from(program.layout.fired) * searches)
+        + Work::of(Kind::Search, marked * searches)
         + Work::of(Kind::Macro, program.macros.len())
         + Work::of(Kind::Inner, inner.sum())
         + standings
@@ -259,13 +259,23 @@ fn walks(rows: Rows<'_>, graphs: &[Acting<'_>], walks: Walks) -> Work {
 /// Words of situations in groups of which one can hold an active step.
 fn lively(program: &Program<'_>, graphs: &[Acting<'_>]) -> usize {
     let first = usize::from(program.layout.situations.start);
-    let active = |acting: &&Acting<'_>| {
-        let steps = &acting.activity.steps;
-        (0..steps.size()).any(|step| steps.are(step, step))
-    };
-    let words = graphs.iter().filter(active);
+    let words = graphs.iter().filter(|graph| graph.can_be_active());
     let words = words.flat_map(|acting| acting.graph.words.indices());
-    let groups: BTreeSet<usize> = words.map(|word| (word - first) / GROUP).collect();
+    in_groups(words.map(|word| word - first))
+}
+
+/// Words of transitions that are looked at: in a large program those in groups of which one can fire.
+fn marked(rows: Rows<'_>, graphs: &[Acting<'_>]) -> usize {
+    if rows.unrolled {
+        return usize::from(rows.program.layout.fired);
+    }
+    let transitions = graphs.iter().filter(|graph| graph.can_be_active());
+    let transitions = transitions.flat_map(|acting| acting.graph.transitions.indices());
+    in_groups(transitions.map(|transition| transition / 32))
+}
+
+fn in_groups(words: impl Iterator<Item = usize>) -> usize {
+    let groups: BTreeSet<usize> = words.map(|word| word / GROUP).collect();
     groups.len() * GROUP
 }
 

@@ -37,6 +37,12 @@ pub struct Most {
 }
 
 impl Acting<'_> {
+    /// Whether it ever does anything but look whether it is alive.
+    pub fn can_be_active(&self) -> bool {
+        let steps = &self.activity.steps;
+        self.graph.sources.len > 0 || (0..steps.size()).any(|step| steps.are(step, step))
+    }
+
     /// The most that it takes on a processor.
     pub fn most(&self, part: Part, cpu: Cpu) -> Most {
         let own = self.heaviest(cpu, |place| self.own(place, part, cpu));
@@ -96,7 +102,7 @@ impl Acting<'_> {
             Part::Scan | Part::Round => self.step(place).map_or(0, |step| step.arms.len),
         };
         self.look(place, part)
-            + Work::of(Kind::Fire, usize::from(fired))
+            + Work::of(self.rows.fire(), usize::from(fired))
             + self.stay(place, part).or(self.leave(place, part), cpu)
     }
 

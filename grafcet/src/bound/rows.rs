@@ -107,7 +107,12 @@ impl<'p> Rows<'p> {
             Crossing::Within { .. } => 0,
             Crossing::Across { entrance, exit } => usize::from(entrance.len + exit.len),
         };
-        Work::one(Kind::Fire) + Work::of(Kind::Link, links) + self.stored(transition.actions)
+        Work::one(self.fire()) + Work::of(Kind::Link, links) + self.stored(transition.actions)
+    }
+
+    /// The kind of a firing.
+    pub fn fire(self) -> Kind {
+        either(self.unrolled, Kind::Fire, Kind::FireLooped)
     }
 
     /// Momentary statements.

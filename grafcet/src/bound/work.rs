@@ -94,6 +94,7 @@ kinds! {
     Product 2500 100
     /// A transition fires.
     Fire 250 200
+    FireLooped 600 480
     /// A step of a large graph is left or entered.
     Link 250 200
     /// A word of transitions is cleared, where there are several.

@@ -19,6 +19,7 @@ fn a_missing_file_gets_one_line_and_the_others_are_checked() {
         &["trace", "nowhere.grafcet", "--until", "0"],
         &["test", "nowhere.grafcet"],
         &["symbols", "nowhere.grafcet"],
+        &["bound", "nowhere.grafcet"],
         &["fmt", "nowhere.grafcet"],
     ] {
         let said = desk.grafcet(arguments);
@@ -41,6 +42,7 @@ fn a_refused_program_gives_no_output() {
         &["trace", "refused.grafcet", "--until", "0", "-o", "out.csv"][..],
         &["test", "refused.grafcet"],
         &["symbols", "refused.grafcet"],
+        &["bound", "refused.grafcet"],
     ] {
         let said = desk.grafcet(arguments);
         assert_eq!(said.code, Some(1), "{said:?}");

@@ -2,6 +2,7 @@
 
 #![allow(clippy::unwrap_used, reason = "a test whose scene cannot be set fails")]
 
+mod bound;
 mod check;
 mod desk;
 mod every;
