@@ -37,7 +37,9 @@ def main():
             inputs = count_inputs(ask(arguments.grafcet, "symbols", file))
             for cpu, bound in bounds.items():
                 elf = arguments.images / f"{name}.{cpu}.elf"
-                longest, bound = longest_scan(PROCESSORS[cpu](elf), inputs), bound["instructions"]
+                if not elf.exists():
+                    continue
+                longest, bound = longest_scan(load(elf, cpu), inputs), bound["instructions"]
                 rows.append((name, cpu, str(longest), str(bound), f"{bound / longest:.2f}"))
                 fault = judge(longest, bound)
                 if fault:
@@ -46,9 +48,16 @@ def main():
         print(f"error: {error}", file=sys.stderr)
         return 1
     print(table.text(rows, TITLES, left=2))
+    if not rows:
+        wrong.append(f"no images in {arguments.images}")
     for fault in wrong:
         print(f"error: {fault}")
     return 1 if wrong else 0
+
+
+def load(elf, cpu):
+    """An image, built for a processor in one way or another: `m0plus`, `m0plus_small`."""
+    return PROCESSORS[cpu.split("_")[0]](elf)
 
 
 def judge(longest, bound):

@@ -2,23 +2,26 @@
 
 use std::ops::{Add, AddAssign, Mul};
 
-/// A processor that images are built for.
+/// A processor that images are built for, and how.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Cpu {
-    /// Cortex-M0+, as in the Pico.
+    /// Cortex-M0+, optimised for size, as the image of the Pico is.
+    M0plusSmall,
+    /// Cortex-M0+, optimised for speed.
     M0plus,
-    /// Cortex-M4.
+    /// Cortex-M4, optimised for speed.
     M4,
 }
 
 impl Cpu {
     /// All of them.
-    pub const ALL: [Cpu; 2] = [Cpu::M0plus, Cpu::M4];
+    pub const ALL: [Cpu; 3] = [Cpu::M0plusSmall, Cpu::M0plus, Cpu::M4];
 
     /// What it is called.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
+            Cpu::M0plusSmall => "Cortex-M0+ small",
             Cpu::M0plus => "Cortex-M0+",
             Cpu::M4 => "Cortex-M4",
         }
@@ -28,16 +31,17 @@ impl Cpu {
     #[must_use]
     pub const fn id(self) -> &'static str {
         match self {
+            Cpu::M0plusSmall => "m0plus_small",
             Cpu::M0plus => "m0plus",
             Cpu::M4 => "m4",
         }
     }
 }
 
-/// The kinds, each with tenths of an instruction on the Cortex-M0+ and on the Cortex-M4 that one takes at most.
+/// The kinds, each with tenths of an instruction that one takes at most, in the order of [`Cpu::ALL`].
 /// `docs/src/speed.md` says how they were found.
 macro_rules! kinds {
-    ($($(#[$doc:meta])* $kind:ident $m0plus:literal $m4:literal)*) => {
+    ($($(#[$doc:meta])* $kind:ident $small:literal $m0plus:literal $m4:literal)*) => {
         /// What a scan does. The kinds whose names end in `Looped` are for rows that the compiler does not know one by
         /// one: behind the fourth of a run, of a large program, or of what there is more of than one.
         #[allow(missing_docs, reason = "those that end in `Looped` are documented here")]
@@ -50,8 +54,9 @@ macro_rules! kinds {
 
             /// Tenths of an instruction.
             const fn cost(self, cpu: Cpu) -> u64 {
-                let (m0plus, m4) = match self { $(Kind::$kind => ($m0plus, $m4)),* };
+                let (small, m0plus, m4) = match self { $(Kind::$kind => ($small, $m0plus, $m4)),* };
                 match cpu {
+                    Cpu::M0plusSmall => small,
                     Cpu::M0plus => m0plus,
                     Cpu::M4 => m4,
                 }
@@ -62,98 +67,98 @@ macro_rules! kinds {
 
 kinds! {
     /// The scan itself.
-    Scan 900 700
+    Scan 341 239 429
     /// Outputs that are neighbours are collected.
-    Lane 60 50
+    Lane 88 80 225
     /// A round of a program that evolves `stable`.
-    Round 400 300
+    Round 440 180 135
     /// A word of situations is looked at on one of the walks over steps.
-    Word 80 60
+    Word 124 116 50
     /// Steps that sleep are passed over, four at a time.
-    Sleepers 25 20
+    Sleepers 72 70 57
     /// A step that is active, or was, is visited on one of the walks.
-    Visit 80 60
+    Visit 25 23 18
     /// A transition is looked at.
-    Arm 90 70
-    ArmLooped 300 250
+    Arm 88 118 186
+    ArmLooped 440 400 144
     /// A masked word is compared.
-    Term 90 70
-    TermLooped 150 120
+    Term 25 23 18
+    TermLooped 75 77 54
     /// A timer on a step is looked at.
-    Timer 300 250
-    TimerLooped 400 350
+    Timer 270 90 72
+    TimerLooped 315 180 158
     /// An operation on Booleans.
-    Logic 60 50
-    LogicLooped 200 150
+    Logic 280 18 15
+    LogicLooped 600 137 68
     /// A piece of code on numbers.
-    Code 150 100
+    Code 165 68 45
     /// An operation of it.
-    Operation 150 120
-    OperationLooped 550 440
+    Operation 259 68 54
+    OperationLooped 669 779 592
     /// A multiplication or division, beside that.
-    Product 2500 100
+    Product 1089 1068 100
     /// A transition fires.
-    Fire 250 200
-    FireLooped 600 480
+    Fire 140 110 44
+    FireLooped 660 2100 1590
     /// A step of a large graph is left or entered.
-    Link 250 200
+    Link 275 250 200
     /// A word of transitions is cleared, where there are several.
-    Marks 40 30
+    Marks 44 140 113
     /// A word of transitions is searched for those that have fired.
-    Search 120 90
+    Search 133 54 44
     /// A momentary statement.
-    Momentary 60 50
-    MomentaryLooped 150 120
+    Momentary 30 27 23
+    MomentaryLooped 165 150 120
     /// A word of its variables.
-    Target 60 50
-    TargetLooped 120 100
+    Target 30 28 23
+    TargetLooped 133 120 100
     /// A statement that depends on momentary variables.
-    Dependent 200 160
+    Dependent 330 525 427
     /// A word of momentary variables is cleared and compared, where there are several.
-    Shown 200 150
+    Shown 220 200 150
     /// A stored statement.
-    Stored 200 160
+    Stored 220 90 72
     /// It stores a Boolean.
-    Bit 200 160
+    Bit 302 1023 768
     /// It stores a number.
-    Number 300 250
+    Number 275 113 90
     /// An event is looked at.
-    Event 150 120
+    Event 165 150 120
     /// The time of an activation is noted.
-    Stamp 100 80
+    Stamp 50 45 36
     /// A word of inputs is searched for edges.
-    Edges 200 150
+    Edges 307 490 68
     /// An edge with a memory of its own.
-    Edge 250 200
-    EdgeLooped 350 300
+    Edge 275 875 700
+    EdgeLooped 550 225 180
     /// A timer with a memory of its own.
-    Delay 500 400
-    DelayLooped 700 600
+    Delay 2331 1631 1018
+    DelayLooped 1320 1200 960
     /// A Boolean that is worked out in every scan.
-    Value 200 150
-    ValueLooped 300 250
+    Value 220 200 150
+    ValueLooped 330 300 250
     /// A macro step.
-    Macro 250 200
+    Macro 275 250 200
     /// A step of its expansion.
-    Inner 120 100
+    Inner 60 120 100
     /// A graph takes its place in the hierarchy.
-    Graph 600 480
-    GraphLooped 900 720
+    Graph 248 225 180
+    GraphLooped 3384 2784 2469
     /// A word of its situation is ordered through.
-    Ordered 200 150
+    Ordered 440 400 320
     /// An order.
-    Order 300 240
-    OrderLooped 900 720
+    Order 275 250 200
+    OrderLooped 446 405 324
     /// A step that encloses a graph.
-    Enclosing 300 250
+    Enclosing 330 300 250
     /// A word of a situation is given.
-    Given 150 120
+    Given 330 135 108
     /// A word of situations is passed on the walks of a large program.
-    WordLooped 200 150
+    WordLooped 220 249 160
     /// A word of the sets of words of a large program.
-    Sets 200 150
+    Sets 220 200 160
     /// A step is visited in a large program.
-    VisitLooped 250 200
+    VisitLooped 275 250 200
 }
 
 /// How often what is done.
