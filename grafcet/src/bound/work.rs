@@ -67,39 +67,39 @@ macro_rules! kinds {
 
 kinds! {
     /// The scan itself.
-    Scan 341 239 429
+    Scan 506 225 429
     /// Outputs that are neighbours are collected.
-    Lane 88 80 225
+    Lane 88 36 225
     /// A round of a program that evolves `stable`.
     Round 440 180 135
     /// A word of situations is looked at on one of the walks over steps.
-    Word 124 116 50
+    Word 110 98 50
     /// Steps that sleep are passed over, four at a time.
-    Sleepers 72 70 57
+    Sleepers 32 70 57
     /// A step that is active, or was, is visited on one of the walks.
-    Visit 25 23 18
+    Visit 55 23 18
     /// A transition is looked at.
-    Arm 88 118 186
+    Arm 115 193 186
     ArmLooped 440 400 144
     /// A masked word is compared.
     Term 25 23 18
-    TermLooped 75 77 54
+    TermLooped 75 150 54
     /// A timer on a step is looked at.
     Timer 270 90 72
     TimerLooped 315 180 158
     /// An operation on Booleans.
     Logic 280 18 15
-    LogicLooped 600 137 68
+    LogicLooped 528 90 68
     /// A piece of code on numbers.
     Code 165 68 45
     /// An operation of it.
-    Operation 259 68 54
-    OperationLooped 669 779 592
+    Operation 240 68 54
+    OperationLooped 673 778 603
     /// A multiplication or division, beside that.
-    Product 1089 1068 100
+    Product 1047 1085 100
     /// A transition fires.
-    Fire 140 110 44
-    FireLooped 660 2100 1590
+    Fire 133 73 44
+    FireLooped 660 2100 1567
     /// A step of a large graph is left or entered.
     Link 275 250 200
     /// A word of transitions is cleared, where there are several.
@@ -110,16 +110,16 @@ kinds! {
     Momentary 30 27 23
     MomentaryLooped 165 150 120
     /// A word of its variables.
-    Target 30 28 23
-    TargetLooped 133 120 100
+    Target 30 27 23
+    TargetLooped 60 120 45
     /// A statement that depends on momentary variables.
-    Dependent 330 525 427
+    Dependent 149 396 108
     /// A word of momentary variables is cleared and compared, where there are several.
     Shown 220 200 150
     /// A stored statement.
     Stored 220 90 72
     /// It stores a Boolean.
-    Bit 302 1023 768
+    Bit 440 1079 768
     /// It stores a number.
     Number 275 113 90
     /// An event is looked at.
@@ -127,25 +127,25 @@ kinds! {
     /// The time of an activation is noted.
     Stamp 50 45 36
     /// A word of inputs is searched for edges.
-    Edges 307 490 68
+    Edges 182 527 68
     /// An edge with a memory of its own.
     Edge 275 875 700
     EdgeLooped 550 225 180
     /// A timer with a memory of its own.
-    Delay 2331 1631 1018
-    DelayLooped 1320 1200 960
+    Delay 2809 1643 1692
+    DelayLooped 1320 1200 432
     /// A Boolean that is worked out in every scan.
     Value 220 200 150
     ValueLooped 330 300 250
     /// A macro step.
-    Macro 275 250 200
+    Macro 124 250 90
     /// A step of its expansion.
-    Inner 60 120 100
+    Inner 60 76 45
     /// A graph takes its place in the hierarchy.
-    Graph 248 225 180
-    GraphLooped 3384 2784 2469
+    Graph 248 240 180
+    GraphLooped 2972 2728 2453
     /// A word of its situation is ordered through.
-    Ordered 440 400 320
+    Ordered 705 400 320
     /// An order.
     Order 275 250 200
     OrderLooped 446 405 324
@@ -154,7 +154,7 @@ kinds! {
     /// A word of a situation is given.
     Given 330 135 108
     /// A word of situations is passed on the walks of a large program.
-    WordLooped 220 249 160
+    WordLooped 220 249 168
     /// A word of the sets of words of a large program.
     Sets 220 200 160
     /// A step is visited in a large program.
