@@ -67,19 +67,19 @@ macro_rules! kinds {
 
 kinds! {
     /// The scan itself.
-    Scan 506 225 429
+    Scan 538 225 429
     /// Outputs that are neighbours are collected.
     Lane 88 36 225
     /// A round of a program that evolves `stable`.
     Round 440 180 135
     /// A word of situations is looked at on one of the walks over steps.
-    Word 110 98 50
+    Word 108 98 50
     /// Steps that sleep are passed over, four at a time.
-    Sleepers 32 70 57
+    Sleepers 22 70 57
     /// A step that is active, or was, is visited on one of the walks.
     Visit 55 23 18
     /// A transition is looked at.
-    Arm 115 193 186
+    Arm 120 193 186
     ArmLooped 440 400 144
     /// A masked word is compared.
     Term 25 23 18
@@ -89,21 +89,21 @@ kinds! {
     TimerLooped 315 180 158
     /// An operation on Booleans.
     Logic 280 18 15
-    LogicLooped 528 90 68
+    LogicLooped 516 90 68
     /// A piece of code on numbers.
-    Code 165 68 45
+    Code 396 68 45
     /// An operation of it.
-    Operation 240 68 54
-    OperationLooped 673 778 603
+    Operation 192 68 54
+    OperationLooped 643 778 603
     /// A multiplication or division, beside that.
-    Product 1047 1085 100
+    Product 743 1085 100
     /// A transition fires.
-    Fire 133 73 44
-    FireLooped 660 2100 1567
+    Fire 147 73 44
+    FireLooped 2355 2100 1567
     /// A step of a large graph is left or entered.
     Link 275 250 200
     /// A word of transitions is cleared, where there are several.
-    Marks 44 140 113
+    Marks 140 140 113
     /// A word of transitions is searched for those that have fired.
     Search 133 54 44
     /// A momentary statement.
@@ -117,9 +117,9 @@ kinds! {
     /// A word of momentary variables is cleared and compared, where there are several.
     Shown 220 200 150
     /// A stored statement.
-    Stored 220 90 72
+    Stored 128 90 72
     /// It stores a Boolean.
-    Bit 440 1079 768
+    Bit 421 1079 768
     /// It stores a number.
     Number 275 113 90
     /// An event is looked at.
@@ -127,13 +127,13 @@ kinds! {
     /// The time of an activation is noted.
     Stamp 50 45 36
     /// A word of inputs is searched for edges.
-    Edges 182 527 68
+    Edges 157 527 68
     /// An edge with a memory of its own.
     Edge 275 875 700
-    EdgeLooped 550 225 180
+    EdgeLooped 248 225 180
     /// A timer with a memory of its own.
-    Delay 2809 1643 1692
-    DelayLooped 1320 1200 432
+    Delay 2328 1643 1692
+    DelayLooped 594 1200 432
     /// A Boolean that is worked out in every scan.
     Value 220 200 150
     ValueLooped 330 300 250
@@ -143,9 +143,9 @@ kinds! {
     Inner 60 76 45
     /// A graph takes its place in the hierarchy.
     Graph 248 240 180
-    GraphLooped 2972 2728 2453
+    GraphLooped 2643 2728 2453
     /// A word of its situation is ordered through.
-    Ordered 705 400 320
+    Ordered 1072 400 320
     /// An order.
     Order 275 250 200
     OrderLooped 446 405 324
@@ -154,7 +154,7 @@ kinds! {
     /// A word of a situation is given.
     Given 330 135 108
     /// A word of situations is passed on the walks of a large program.
-    WordLooped 220 249 168
+    WordLooped 113 249 168
     /// A word of the sets of words of a large program.
     Sets 220 200 160
     /// A step is visited in a large program.
