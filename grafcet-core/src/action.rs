@@ -182,11 +182,9 @@ impl<P: Compiled, M: Memory> VisitSteps for Acting<'_, P, M> {
 
     #[inline(always)]
     fn choose(&mut self, place: usize, block: &Block) -> u32 {
-        let tables = self.engine.tables;
-        let first = usize::from(tables.program().layout.situations.start);
-        let memory = &self.engine.memory;
-        let now = memory.word(first + place);
-        let before = memory.store.before().get(place).copied().unwrap_or(0);
+        let now = self.engine.situation_word(place);
+        let before = self.engine.memory.store.before().get(place);
+        let before = before.copied().unwrap_or(0);
         let steps = match self.steps {
             Steps::Active => now,
             Steps::Before => before,
@@ -249,9 +247,7 @@ impl<P: Compiled, M: Memory> VisitSteps for Showing<'_, P, M> {
 
     #[inline(always)]
     fn choose(&mut self, place: usize, block: &Block) -> u32 {
-        let tables = self.engine.tables;
-        let first = usize::from(tables.program().layout.situations.start);
-        self.engine.memory.word(first + place) & block.momentary
+        self.engine.situation_word(place) & block.momentary
     }
 
     #[inline(always)]

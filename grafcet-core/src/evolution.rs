@@ -35,6 +35,14 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
         }
     }
 
+    /// A word of the situations of now.
+    #[inline(always)]
+    pub(crate) fn situation_word(&self, place: usize) -> u32 {
+        let tables = self.tables;
+        let first = usize::from(tables.program().layout.situations.start);
+        self.memory.word(first + place)
+    }
+
     /// Takes back all marks.
     #[inline(always)]
     pub(crate) fn clear_marks(&mut self) {
@@ -216,9 +224,7 @@ impl<P: Compiled, M: Memory> VisitSteps for Marking<'_, P, M> {
 
     #[inline(always)]
     fn choose(&mut self, place: usize, _: &Block) -> u32 {
-        let tables = self.engine.tables;
-        let first = usize::from(tables.program().layout.situations.start);
-        self.now = self.engine.memory.word(first + place);
+        self.now = self.engine.situation_word(place);
         self.leaves = 0;
         self.enters = 0;
         self.now
