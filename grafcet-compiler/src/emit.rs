@@ -6,6 +6,7 @@
 mod demonstration;
 mod rows;
 
+use grafcet_core::program::{Condition, Program};
 use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 
@@ -13,8 +14,10 @@ pub use self::demonstration::demonstration;
 use self::rows::Row;
 use crate::application::{Application, Plant, Symbols, Tables, Wire};
 
-/// Programs with at most so many steps are walked over step by step.
-pub const UNROLLED_STEPS: usize = 1024;
+/// Programs with at most so much to unroll are walked over row by row: what the compiler of the image does in seconds.
+const UNROLLED: usize = 1200;
+/// What counts as so much: a row that is more than a transition with one term.
+const ROW: usize = 8;
 /// Steps that are passed over together.
 const FEW: usize = 4;
 
@@ -58,9 +61,23 @@ pub fn program(application: &Application) -> TokenStream {
     }
 }
 
+/// Whether walks over the steps of a program are written out row by row.
+#[must_use]
+pub fn is_unrolled(program: &Program<'_>) -> bool {
+    let arms = program.arms.iter().map(|arm| {
+        let transition = program.transitions.get(usize::from(arm.transition));
+        match transition.map(|transition| transition.fires) {
+            Some(Condition::ALWAYS) => 1,
+            _ => ROW,
+        }
+    });
+    let duties = program.steps.iter().filter(|step| step.duties > 0).count();
+    arms.sum::<usize>() + (program.momentary.len() + duties) * ROW <= UNROLLED
+}
+
 /// The walk over the steps of a small program, step by step.
 fn walks(tables: &Tables) -> Option<TokenStream> {
-    if tables.steps.len() > UNROLLED_STEPS {
+    if !is_unrolled(&tables.program()) {
         return None;
     }
     let ends = tables.blocks.iter().skip(1).map(|block| block.first);

@@ -27,7 +27,7 @@ impl<'p> Rows<'p> {
     pub fn of(program: &'p Program<'p>) -> Self {
         Rows {
             program,
-            unrolled: program.steps.len() <= emit::UNROLLED_STEPS,
+            unrolled: emit::is_unrolled(program),
             one_code: codes(program) == 1,
         }
     }
