@@ -39,7 +39,8 @@ RECORDED = {
 
 LEGEND = """\
 Executed instructions of one scan. idle: no input is new and no timer due. steady: the same, but everything is looked at
-all the same, and nothing fires. firing: a transition fires, in many_steps and its sleeping twin a hundred. `30..41` is the usual scan and the longest. worst: the longest of the whole schedule, random inputs included.
+all the same, and nothing fires. firing: a transition fires, in many_steps and its sleeping twin a hundred. `30..41` is
+the usual scan and the longest. worst: the longest of the whole schedule, random inputs included.
 Bytes of the bare image: flash (of it code; the rest are tables) and RAM, without the stack and the words of inputs,
 outputs and time.
 The C of many_steps and sleeping_steps is generated as their graphs are; all C and all processors answered alike in every
