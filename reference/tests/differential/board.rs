@@ -12,7 +12,7 @@ use crate::random::Random;
 use crate::render::{LIBRARY, Text};
 
 /// How many programs of each kind of evolution there are.
-const PROGRAMS: usize = 3;
+const PROGRAMS: usize = 2;
 /// Of smaller ones too little is learnt for the time that an image takes.
 const TRANSITIONS: usize = 15;
 /// A hundred rounds of these programs are over within it on a Pico.
