@@ -19,7 +19,7 @@ const UNROLLED: usize = 1200;
 /// What counts as so much: a row that is more than a transition with one term.
 const ROW: usize = 8;
 /// Steps that are passed over together.
-const FEW: usize = 4;
+pub const FEW: usize = 4;
 
 /// `PROGRAM`, `NAMES` and `Storage` of the controller, with their assertions.
 #[must_use]

@@ -8,19 +8,6 @@ use crate::program::{
 use crate::sets::Set;
 use crate::walk::{Visit, each};
 
-/// Which steps an action belongs to.
-#[derive(Clone, Copy)]
-enum Steps {
-    /// Active now.
-    Active,
-    /// Active before this scan (round).
-    Before,
-    /// Active now and not before.
-    Activated,
-    /// Active before and not now.
-    Deactivated,
-}
-
 impl<P: Compiled, M: Memory> Engine<P, M> {
     /// Phase 5: what has just become active is timed from now.
     #[inline(always)]
@@ -30,7 +17,7 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
         if self.memory.store.stamps().is_empty() {
             return;
         }
-        self.for_each_duty(Steps::Activated, Part::Activated);
+        self.for_each_duty(Part::Activated);
         for row in program.macros {
             if let Some(stamp) = row.activated
                 && self.memory.bit(row.bit)
@@ -49,11 +36,11 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
             self.for_each_fired(|engine, transition| engine.run_stored(transition.actions));
         }
         if !program.events.is_empty() {
-            self.for_each_duty(Steps::Before, Part::OnEvent);
+            self.for_each_duty(Part::OnEvent);
         }
         if program.stores_on_change {
-            self.for_each_duty(Steps::Deactivated, Part::OnDeactivation);
-            self.for_each_duty(Steps::Activated, Part::OnActivation);
+            self.for_each_duty(Part::OnDeactivation);
+            self.for_each_duty(Part::OnActivation);
         }
     }
 
@@ -63,7 +50,7 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
         let program = tables.program();
         self.run_stored(program.always_stored);
         if program.lasting_in_steps {
-            self.for_each_duty(Steps::Active, Part::Stored);
+            self.for_each_duty(Part::Stored);
         }
     }
 
@@ -145,32 +132,31 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
 
     /// Does in source order what steps do beside momentary actions.
     #[inline(always)]
-    fn for_each_duty(&mut self, steps: Steps, part: Part) {
+    fn for_each_duty(&mut self, part: Part) {
         let tables = self.tables;
-        let mut acting = Acting {
-            engine: self,
-            steps,
-            part,
-        };
+        let mut acting = Acting { engine: self, part };
         tables.each_step(&mut acting);
     }
 }
 
-/// One of the things in [`Duties`].
+/// One of the things in [`Duties`](crate::program::Duties), which also says of which steps.
 #[derive(Clone, Copy)]
 enum Part {
-    /// Its time of activation.
+    /// The time of activation, of those active now and not before.
     Activated,
+    /// Of those active now.
     Stored,
+    /// Of those active now and not before.
     OnActivation,
+    /// Of those active before this scan (round) and not now.
     OnDeactivation,
+    /// Of those active before this scan (round).
     OnEvent,
 }
 
 /// Does one thing for some steps.
 struct Acting<'e, P, M> {
     engine: &'e mut Engine<P, M>,
-    steps: Steps,
     part: Part,
 }
 
@@ -185,20 +171,14 @@ impl<P: Compiled, M: Memory> VisitSteps for Acting<'_, P, M> {
         let now = self.engine.situation_word(place);
         let before = self.engine.memory.store.before().get(place);
         let before = before.copied().unwrap_or(0);
-        let steps = match self.steps {
-            Steps::Active => now,
-            Steps::Before => before,
-            Steps::Activated => now & !before,
-            Steps::Deactivated => before & !now,
-        };
-        steps
-            & match self.part {
-                Part::Activated => block.timed,
-                Part::Stored => block.stored,
-                Part::OnActivation => block.on_activation,
-                Part::OnDeactivation => block.on_deactivation,
-                Part::OnEvent => block.on_event,
-            }
+        let (activated, deactivated) = (now & !before, before & !now);
+        match self.part {
+            Part::Activated => activated & block.timed,
+            Part::Stored => now & block.stored,
+            Part::OnActivation => activated & block.on_activation,
+            Part::OnDeactivation => deactivated & block.on_deactivation,
+            Part::OnEvent => before & block.on_event,
+        }
     }
 
     #[inline(always)]

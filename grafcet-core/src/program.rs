@@ -12,6 +12,7 @@ use crate::bits::set_bits_of;
 use crate::sets::rows;
 use crate::walk::loop_over_steps;
 
+pub use crate::sets::GROUP;
 pub use crate::walk::VisitSteps;
 
 pub use expression::{

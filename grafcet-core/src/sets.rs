@@ -2,8 +2,9 @@
 
 use crate::memory::{Bank, Memory};
 
-/// Neighbouring words that share a bit of a [`Set`]: mostly several of them hold something, or none.
-pub(crate) const GROUP: usize = 8;
+/// Neighbouring words that a large program passes over together when they hold nothing: mostly several of them hold
+/// something, or none.
+pub const GROUP: usize = 8;
 
 /// A set of groups of words, one bit for each.
 #[derive(Clone, Copy, PartialEq, Eq)]

@@ -18,8 +18,9 @@ pub mod work;
 use std::collections::BTreeSet;
 
 use grafcet_compiler::application::{Unit, VariableSymbol};
+use grafcet_compiler::emit::FEW;
 use grafcet_compiler::model::DeclarationKind;
-use grafcet_core::program::{Block, Evolution, Program, Slot, Step};
+use grafcet_core::program::{Block, Evolution, GROUP, Program, Slot, Step};
 
 use activity::Activity;
 use graph::{Acting, Part};
@@ -27,11 +28,6 @@ pub use report::{Clocks, json, text};
 pub use rounds::Rounds;
 use rows::Rows;
 use work::{Cpu, Kind, Work};
-
-/// Steps that an image passes over together (`grafcet_compiler::emit`).
-const FEW: usize = 4;
-/// Words of situations that a large program passes over together (`grafcet-core`, `sets.rs`).
-const GROUP: usize = 8;
 
 /// The bound of one processor.
 #[derive(Clone, Debug, PartialEq, Eq)]
