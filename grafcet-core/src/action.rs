@@ -101,32 +101,9 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
 
     #[inline(always)]
     fn run_stored(&mut self, rows: Run) {
-        if rows.len > 0 {
-            self.run_rows(rows);
-        }
-    }
-
-    fn run_rows(&mut self, rows: Run) {
         let tables = self.tables;
-        let program = tables.program();
-        for Stored {
-            assignment,
-            condition,
-        } in rows.of(program.stored)
-        {
-            if !self.holds(condition) {
-                continue;
-            }
-            match assignment {
-                Assignment::Bit(bit, value) => {
-                    let value = self.holds(value);
-                    self.set_bit(*bit, value);
-                }
-                Assignment::Number(number, value) => {
-                    let value = self.value_of(*value);
-                    self.store_number(*number, value);
-                }
-            }
+        if let Some(rows) = rows.some(tables.program().stored) {
+            each::<P, Stored>(rows, &mut Storing { engine: self });
         }
     }
 
@@ -209,6 +186,30 @@ impl<P: Compiled, M: Memory> VisitSteps for Acting<'_, P, M> {
 
     #[inline(always)]
     fn leave(&mut self, _: usize) {}
+}
+
+/// Executes stored statements.
+struct Storing<'e, P, M> {
+    engine: &'e mut Engine<P, M>,
+}
+
+impl<P: Compiled, M: Memory> Visit<Stored> for Storing<'_, P, M> {
+    #[inline(always)]
+    fn row(&mut self, row: &Stored) {
+        if !self.engine.holds(&row.condition) {
+            return;
+        }
+        match row.assignment {
+            Assignment::Bit(bit, value) => {
+                let value = self.engine.holds(&value);
+                self.engine.set_bit(bit, value);
+            }
+            Assignment::Number(number, value) => {
+                let value = self.engine.value_of(value);
+                self.engine.store_number(number, value);
+            }
+        }
+    }
 }
 
 /// Raises what momentary statements show.

@@ -1,12 +1,15 @@
 //! One scan at a time: the phases of `semantics.md` in their order.
 
 use crate::bits::Flag;
-use crate::memory::{Bank, Memory, NEVER};
+use crate::memory::{Bank, Memory};
 use crate::program::{Bit, Compiled, Evolution, Number, Program, Slot};
 use crate::watch::Pass;
 
 /// Rounds of one scan after which a program that evolves `stable` counts as unstable.
 pub const MAX_ROUNDS: u32 = 100;
+
+/// Nothing is idle for longer, in ms.
+const LONG: u32 = 1 << 31;
 
 /// A program and its memory.
 ///
@@ -17,15 +20,13 @@ pub const MAX_ROUNDS: u32 = 100;
 #[derive(Debug)]
 pub struct Engine<P, M> {
     pub(crate) tables: P,
-    /// Scans before this time, in ms since scan 0, are idle. It is 0 when the next one finds something new, otherwise
-    /// when the next timer runs out that the latest scan has found running.
-    pub(crate) idle_until_ms: u64,
-    /// The time stamp of the scan, in ms since scan 0.
+    /// The time stamp of the latest scan that was no idle one, in ms since scan 0.
     pub(crate) now_ms: u64,
     /// The situations are on the move and phase 5 has not timed the new ones yet.
     pub(crate) settling: Flag,
-    /// The next scan is the first behind scan 0, or variables have been written from outside.
-    unusual: Flag,
+    /// Scans are idle for so long behind that one, in ms, [`LONG`] at most: 0 when the next one finds something new,
+    /// otherwise until the next timer runs out that was found running.
+    pub(crate) quiet_ms: u32,
     pub(crate) memory: Bank<M>,
 }
 
@@ -34,10 +35,9 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
     pub fn new(tables: P, store: M) -> Self {
         let mut engine = Engine {
             tables,
-            idle_until_ms: 0,
             now_ms: 0,
             settling: Flag::Off,
-            unusual: Flag::On,
+            quiet_ms: 0,
             memory: Bank { store },
         };
         let program = tables.program();
@@ -167,7 +167,6 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
             Slot::Number(number) => self.store_number(number, value),
         }
         self.note_change();
-        self.unusual = Flag::On;
     }
 
     /// Scan 0: initialisation, at time 0.
@@ -195,11 +194,14 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
         self.run_lasting();
         self.run_momentary();
         self.memory.forget_start();
-        self.unusual = Flag::On;
+        if !self.keeps_first_scan() {
+            self.memory.clear_bit(Bit::FIRST_SCAN);
+        }
         self.note_change();
     }
 
-    /// Scan k > 0, at its scheduled release time in ms since scan 0, below 2^62. Times must not descend.
+    /// Scan k > 0, at its scheduled release time in ms since scan 0, below 2^62. Times must not descend, and no scan
+    /// comes 2^31 ms (24 days) or more behind the one before.
     ///
     /// False when it was an idle one: no input is new, no timer has run out and the scan before has changed nothing,
     /// so that this one would find and do exactly the same. Nothing is evaluated then, and nothing needs writing.
@@ -222,9 +224,10 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
     #[inline(always)]
     pub fn is_idle(&self, time_ms: u64) -> bool {
         if self.is_timed() {
-            time_ms < self.idle_until_ms
+            // The low words will do, since this is known again after 24 days at most.
+            (time_ms as u32).wrapping_sub(self.now_ms as u32) < self.quiet_ms
         } else {
-            self.idle_until_ms != 0
+            self.quiet_ms != 0
         }
     }
 
@@ -240,6 +243,13 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
         !self.memory.store.standings().is_empty()
     }
 
+    /// Whether `System:first_scan` is True until the next scan. It need not be where nobody reads it, neither the
+    /// program nor, as on a host, somebody who looks on between two scans.
+    #[inline(always)]
+    fn keeps_first_scan(&self) -> bool {
+        !P::UNROLLED || self.program().reads_first_scan
+    }
+
     /// Whether the program has timers.
     #[inline(always)]
     fn is_timed(&self) -> bool {
@@ -252,12 +262,11 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
         let tables = self.tables;
         let program = tables.program();
         // What changes from here on, or waits for its time, puts an end to this.
-        self.idle_until_ms = NEVER;
+        self.quiet_ms = LONG;
         if self.is_timed() {
             self.now_ms = time_ms;
         }
-        let unusual = core::mem::replace(&mut self.unusual, Flag::Off) == Flag::On;
-        if unusual {
+        if self.keeps_first_scan() {
             self.memory.clear_bit(Bit::FIRST_SCAN);
         }
         let moved = match program.evolution {
@@ -265,7 +274,7 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
             Evolution::Stable => self.evolve_until_stable(),
         };
         self.run_lasting();
-        if moved || program.momentary_varies || unusual {
+        if moved || program.momentary_varies {
             self.run_momentary();
         }
     }
@@ -304,8 +313,8 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
         }
         if self.has_hierarchy() {
             self.settling = Flag::On;
-            self.settle_hierarchy(pass);
-            moved = self.any_fired() || self.any_changed();
+            let bound = self.settle_hierarchy(pass);
+            moved = (moved || bound) && (self.any_fired() || self.any_changed());
         }
         if moved {
             self.note_change();
@@ -345,6 +354,7 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
         moved
     }
 
+    /// Whether the situation is another than before this scan (round).
     fn any_changed(&self) -> bool {
         let tables = self.tables;
         let program = tables.program();
@@ -383,7 +393,7 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
     /// Notes that the next scan may find something else than this one.
     #[inline(always)]
     pub(crate) fn note_change(&mut self) {
-        self.idle_until_ms = 0;
+        self.quiet_ms = 0;
     }
 
     fn clamp(&self, number: Number, value: i32) -> i32 {

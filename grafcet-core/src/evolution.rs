@@ -1,6 +1,6 @@
 //! Triggers and firing (`semantics.md`, phases 2 and 3; IEC 60848 rules 2 to 5).
 
-use crate::bits::set_bits_of;
+use crate::bits::{bits_in_word, set_bits_of};
 use crate::engine::Engine;
 use crate::memory::Memory;
 use crate::program::{Arm, Block, Compiled, Crossing, Graph, Run, Step, Transition};
@@ -73,7 +73,9 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
             self.cross(|entrance, _| entrance, |word, bit| word & !bit);
             self.cross(|_, exit| exit, |word, bit| word | bit);
         }
-        tables.each_step(&mut Exchanging { engine: self });
+        if !program.crosses_at_once {
+            tables.each_step(&mut Exchanging { engine: self });
+        }
     }
 
     /// Changes the next situation by the steps on one side of every marked transition of a graph with many steps.
@@ -123,9 +125,11 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
 
     /// Takes back the firing of a graph whose own evolution is void.
     pub(crate) fn void_fired(&mut self, transitions: Run) {
-        for index in transitions.indices() {
-            if let Some(word) = self.memory.store.fired_mut().get_mut(index / 32) {
-                *word &= !(1 << (index % 32));
+        let indices = transitions.indices();
+        for place in indices.start / 32..indices.end.div_ceil(32) {
+            let run = bits_in_word(&indices, place);
+            if let Some(word) = self.memory.store.fired_mut().get_mut(place) {
+                *word &= !run;
             }
         }
     }
@@ -238,9 +242,17 @@ impl<P: Compiled, M: Memory> VisitSteps for Marking<'_, P, M> {
     #[inline(always)]
     fn leave(&mut self, place: usize) {
         let next = self.now & !self.leaves | self.enters;
+        let tables = self.engine.tables;
+        let program = tables.program();
         let memory = &mut self.engine.memory;
+        let beside = if program.crosses_at_once {
+            memory.put_word(usize::from(program.layout.situations.start) + place, next);
+            self.now
+        } else {
+            next
+        };
         if let Some(word) = memory.store.before_mut().get_mut(place) {
-            *word = next;
+            *word = beside;
         }
         self.lively |= self.now | next;
     }

@@ -1,7 +1,7 @@
 //! Conditions and values: conjunctions as mask and state words, everything else as postfix code.
 
 use crate::engine::Engine;
-use crate::memory::{Memory, NEVER};
+use crate::memory::Memory;
 use crate::program::{Bit, Code, Compiled, Condition, Op, Preset, Rest, Run, Stamp, Term, Unit};
 use crate::walk::{Visit, each};
 
@@ -173,19 +173,23 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
     /// Whether the preset has passed since a rise; if not, the next scan by then is no idle one. A rise that never
     /// was has no elapsed time.
     pub(crate) fn elapsed(&mut self, risen_ms: u64, preset: i32, unit: Unit) -> bool {
+        let elapsed_ms = self.now_ms.wrapping_sub(risen_ms);
+        let long_ms = (elapsed_ms >> 32) as i32;
         // A preset below zero has always passed.
-        let Ok(preset) = u32::try_from(preset) else {
-            return risen_ms != NEVER;
+        let preset = u32::try_from(preset).unwrap_or(0);
+        let left_ms = match unit {
+            Unit::Seconds => {
+                let left_ms = in_ms(preset).saturating_sub(elapsed_ms);
+                u32::try_from(left_ms).unwrap_or(u32::MAX)
+            }
+            Unit::Milliseconds if long_ms == 0 => preset.saturating_sub(elapsed_ms as u32),
+            Unit::Milliseconds => 0,
         };
-        let due_ms = risen_ms.wrapping_add(match unit {
-            Unit::Milliseconds => u64::from(preset),
-            Unit::Seconds => in_ms(preset),
-        });
-        if self.now_ms >= due_ms {
-            return true;
+        if left_ms > 0 {
+            self.quiet_ms = self.quiet_ms.min(left_ms);
         }
-        self.idle_until_ms = self.idle_until_ms.min(due_ms);
-        false
+        // A rise that never was lies behind all times.
+        left_ms == 0 && long_ms >= 0
     }
 }
 

@@ -53,16 +53,11 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
         })
     }
 
-    /// Phase 4.
-    pub(crate) fn settle_hierarchy(&mut self, pass: Pass) {
+    /// Phase 4. False when every graph has kept to its own evolution.
+    pub(crate) fn settle_hierarchy(&mut self, pass: Pass) -> bool {
         let tables = self.tables;
         let program = tables.program();
-        if program.orders.is_empty() && program.enclosings.is_empty() {
-            return;
-        }
-        for standing in self.memory.store.standings_mut().iter_mut() {
-            standing.order = 0;
-        }
+        let mut bound = false;
         for &index in program.hierarchy {
             let Some(graph) = program.graphs.get(usize::from(index)) else {
                 continue;
@@ -70,18 +65,28 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
             self.watch(graph.self_watches, pass);
             // An order of a superior stands against these, whose conditions are evaluated all the same.
             self.give_orders(graph.self_orders);
-            self.settle(graph, index, pass);
+            bound |= self.settle(graph, index, pass);
             self.watch(graph.watches, pass);
             self.give_orders(graph.orders);
             self.give_orders_of_steps(graph);
         }
+        bound
     }
 
-    fn settle(&mut self, graph: &Graph, index: u16, pass: Pass) {
+    /// False when the graph keeps to its own evolution.
+    #[inline(always)]
+    fn settle(&mut self, graph: &Graph, index: u16, pass: Pass) -> bool {
         let standing = self.standing(index);
-        let decision = self.decide(graph, &standing, pass);
+        if standing == Standing::FREE && graph.enclosings.len == 0 {
+            return false;
+        }
+        self.bind(graph, index, standing, pass)
+    }
+
+    fn bind(&mut self, graph: &Graph, index: u16, standing: Standing, pass: Pass) -> bool {
+        let decision = self.decide(graph, standing, pass);
         let void = !matches!(decision, Decision::Own);
-        let held = standing.order != 0 && self.is_alive(graph);
+        let held = standing.order() != 0 && self.is_alive(graph);
         match decision {
             Decision::Empty => self.empty(graph),
             Decision::Set(situation) => self.take(graph, situation),
@@ -92,33 +97,23 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
             self.void_fired(graph.transitions);
             self.refresh_macros_of(|graph| graph == index);
         }
-        let new = Standing {
-            order: standing.order,
-            held,
-            void,
-        };
-        if (held, void) != (standing.held, standing.void) {
+        let new = Standing::behind_round(held, void);
+        if new != standing.under(0) {
             self.note_change();
         }
-        if let Some(standing) = self
-            .memory
-            .store
-            .standings_mut()
-            .get_mut(usize::from(index))
-        {
-            *standing = new;
-        }
+        self.put_standing(index, new);
+        void
     }
 
     /// The first line of phase 4 that applies.
-    fn decide(&self, graph: &Graph, standing: &Standing, pass: Pass) -> Decision {
+    fn decide(&self, graph: &Graph, standing: Standing, pass: Pass) -> Decision {
         let tables = self.tables;
         let program = tables.program();
         let enclosings = graph.enclosings.of(program.enclosings);
         if !self.is_alive(graph) {
             return Decision::Empty;
         }
-        if let Some(order) = self.order(standing.order) {
+        if let Some(order) = self.order(standing.order()) {
             return match order.situation {
                 Forced::Set(situation) => Decision::Set(situation),
                 Forced::Current => Decision::Before,
@@ -128,7 +123,7 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
         if !keeps_start && let Some(by) = enclosings.iter().rfind(|by| self.is_activated(by)) {
             return Decision::Set(by.situation);
         }
-        if standing.held {
+        if standing.is_held() {
             return Decision::Before;
         }
         Decision::Own
@@ -201,7 +196,9 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
         let program = tables.program();
         let steps = graph.steps.of(program.steps);
         for (offset, word) in graph.words.indices().enumerate() {
-            for bit in set_bits_of(self.memory.word(word)) {
+            let place = word.saturating_sub(usize::from(program.layout.situations.start));
+            let forcing = program.blocks.get(place).map_or(0, |block| block.forcing);
+            for bit in set_bits_of(self.memory.word(word) & forcing) {
                 let step = steps.get(offset * 32 + bit);
                 if let Some(duties) = step.and_then(|step| program.duties_of(step)) {
                     self.give_orders(duties.orders);
@@ -238,6 +235,13 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
             .get(usize::from(graph))
             .copied()
             .unwrap_or(Standing::FREE)
+    }
+
+    fn put_standing(&mut self, graph: u16, standing: Standing) {
+        let standings = self.memory.store.standings_mut();
+        if let Some(place) = standings.get_mut(usize::from(graph)) {
+            *place = standing;
+        }
     }
 
     /// Brings the macro step bits up to date.
@@ -285,16 +289,13 @@ impl<P: Compiled, M: Memory> Visit<Order> for Giving<'_, P, M> {
         if !self.engine.holds(&order.condition) {
             return;
         }
-        let best = self.engine.standing(order.graph).order;
-        let wins = match self.engine.order(best) {
+        let standing = self.engine.standing(order.graph);
+        let wins = match self.engine.order(standing.order()) {
             Some(best) => best.by == order.by && best.rank <= order.rank,
             None => true,
         };
-        let standings = self.engine.memory.store.standings_mut();
-        if let Some(standing) = standings.get_mut(usize::from(order.graph))
-            && wins
-        {
-            standing.order = row;
+        if wins {
+            self.engine.put_standing(order.graph, standing.under(row));
         }
     }
 }

@@ -3,26 +3,46 @@
 use crate::program::{Bit, Layout, Number, Run, Stamp, Target};
 
 /// A [`Stamp`] that never was: later than every time, with room for any preset behind it.
-pub(crate) const NEVER: u64 = u64::MAX / 2;
+pub(crate) const NEVER: u64 = 1 << 63;
 
-/// How a graph stands in the hierarchy of forcing and enclosing (`semantics.md`, phase 4).
+/// How a graph stands in the hierarchy of forcing and enclosing (`semantics.md`, phase 4). It is one word, since mostly
+/// a graph is free, and that is one look.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Standing {
-    /// The best order on the graph found so far in this round: its row, counted from 1, or 0 when there is none.
-    pub(crate) order: u16,
-    /// A valid order held in the round before, so the graph is not free yet.
-    pub(crate) held: bool,
-    /// Its own evolution of the latest round was void.
-    pub(crate) void: bool,
-}
+pub struct Standing(u32);
 
 impl Standing {
     /// Free, as before scan 0.
-    pub const FREE: Standing = Standing {
-        order: 0,
-        held: false,
-        void: false,
-    };
+    pub const FREE: Standing = Standing(0);
+    const HELD: u32 = 1 << 16;
+    const VOID: u32 = 1 << 17;
+
+    /// How a graph stands behind a round: whether a valid order held, so that it is not free yet, and whether its own
+    /// evolution was void.
+    pub(crate) const fn behind_round(held: bool, void: bool) -> Standing {
+        let held = if held { Self::HELD } else { 0 };
+        let void = if void { Self::VOID } else { 0 };
+        Standing(held | void)
+    }
+
+    /// The best order on the graph found so far in this round: its row, counted from 1, or 0 when there is none.
+    pub(crate) const fn order(self) -> u16 {
+        self.0 as u16
+    }
+
+    /// The same graph under an order.
+    pub(crate) const fn under(self, order: u16) -> Standing {
+        Standing(self.0 & !0xffff | order as u32)
+    }
+
+    /// Whether a valid order held in the round before.
+    pub(crate) const fn is_held(self) -> bool {
+        self.0 & Self::HELD != 0
+    }
+
+    /// Whether its own evolution of the latest round was void.
+    pub(crate) const fn is_void(self) -> bool {
+        self.0 & Self::VOID != 0
+    }
 }
 
 /// The memory of one program: what [`storage!`](crate::storage) makes, or vectors on a host.

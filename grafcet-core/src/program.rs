@@ -103,6 +103,11 @@ pub struct Program<'a> {
     /// For each word of [`Layout::inputs`] the inputs that anybody reads. What happens to the others makes no scan
     /// differ from the one before.
     pub read_inputs: &'a [u32],
+    /// Whether anybody reads `System:first_scan`.
+    pub reads_first_scan: bool,
+    /// Whether a word of situations can be exchanged as soon as its steps have been looked at: no trigger that is
+    /// evaluated later reads it, and every transition belongs to it alone.
+    pub crosses_at_once: bool,
     /// The graphs.
     pub graphs: &'a [Graph],
     /// Indices of the graphs in the order of phase 4: superiors first.

@@ -98,7 +98,7 @@ impl Unsound {
 /// #     remembered: 0, standings: 0, shown: 0, sets: 0,
 /// # };
 /// # const EMPTY: Program<'static> = Program {
-/// #     period_ms: 10, evolution: Evolution::Scan, fingerprint: 0, layout: LAYOUT, read_inputs: &[], graphs: &[], hierarchy: &[],
+/// #     period_ms: 10, evolution: Evolution::Scan, fingerprint: 0, layout: LAYOUT, read_inputs: &[], reads_first_scan: false, crosses_at_once: false, graphs: &[], hierarchy: &[],
 /// #     blocks: &[], steps: &[], duties: &[], macros: &[], transitions: &[], links: &[], arms: &[],
 /// #     situations: &[], enclosings: &[], orders: &[], sources: &[], lasting_in_steps: false,
 /// #     momentary_varies: false, stores_on_change: false, stored: &[], events: &[], always_stored: Run::EMPTY, targets: &[], momentary: &[], always_momentary: Run::EMPTY,
@@ -121,7 +121,7 @@ impl Unsound {
 /// #     remembered: 0, standings: 0, shown: 0, sets: 0,
 /// # };
 /// # const EMPTY: Program<'static> = Program {
-/// #     period_ms: 10, evolution: Evolution::Scan, fingerprint: 0, layout: LAYOUT, read_inputs: &[], graphs: &[], hierarchy: &[],
+/// #     period_ms: 10, evolution: Evolution::Scan, fingerprint: 0, layout: LAYOUT, read_inputs: &[], reads_first_scan: false, crosses_at_once: false, graphs: &[], hierarchy: &[],
 /// #     blocks: &[], steps: &[], duties: &[], macros: &[], transitions: &[], links: &[], arms: &[],
 /// #     situations: &[], enclosings: &[], orders: &[], sources: &[], lasting_in_steps: false,
 /// #     momentary_varies: false, stores_on_change: false, stored: &[], events: &[], always_stored: Run::EMPTY, targets: &[], momentary: &[], always_momentary: Run::EMPTY,
@@ -227,6 +227,7 @@ impl Program<'_> {
         }
         self.period_ms >= 1
             && self.read_inputs.len() == layout.inputs.len as usize
+            && (!self.crosses_at_once || (self.sources.is_empty() && self.links.is_empty()))
             && layout.words >= 1
             && layout.number_inputs.is_within(layout.numbers as usize)
             && (layout.number_inputs.len == 0

@@ -72,7 +72,7 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
             .store
             .standings()
             .get(graph)
-            .is_some_and(|standing| standing.void)
+            .is_some_and(|standing| standing.is_void())
     }
 
     /// The active steps of a graph, as indices in [`Program::steps`](crate::program::Program::steps), in source order.

@@ -33,13 +33,14 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
         each::<P, Edges>(tables.program().edges, &mut Watching { engine: self, pass });
     }
 
-    /// Stores the edges of inputs, and notes when they change.
+    /// Stores the edges of inputs. They are over in the next scan.
     #[inline(always)]
     fn put_edges(&mut self, seen: Option<Seen>, edges: u32) {
-        if let Some(Seen { word, bits }) = seen
-            && self.memory.put_word(usize::from(word), edges & bits)
-        {
-            self.note_change();
+        if let Some(Seen { word, bits }) = seen {
+            self.memory.put_word(usize::from(word), edges & bits);
+            if edges & bits != 0 {
+                self.note_change();
+            }
         }
     }
 

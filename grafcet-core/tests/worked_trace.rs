@@ -53,6 +53,8 @@ static PROGRAM: Program<'static> = Program {
         sets: 0,
     },
     read_inputs: &[1],
+    reads_first_scan: false,
+    crosses_at_once: false,
     graphs: &[Graph {
         steps: run(0, 2),
         words: run(2, 1),
@@ -74,6 +76,7 @@ static PROGRAM: Program<'static> = Program {
         on_activation: 0,
         on_deactivation: 0,
         on_event: 0,
+        forcing: 0,
     }],
     steps: &[
         Step {

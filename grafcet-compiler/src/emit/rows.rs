@@ -32,7 +32,7 @@ macro_rules! structs {
 
 structs! {
     Tables => Program {
-        period_ms evolution fingerprint layout read_inputs graphs hierarchy blocks steps duties macros transitions links arms
+        period_ms evolution fingerprint layout read_inputs reads_first_scan crosses_at_once graphs hierarchy blocks steps duties macros transitions links arms
         situations enclosings orders sources lasting_in_steps momentary_varies stores_on_change stored events always_stored
         targets momentary always_momentary dependent edges watches trigger_watches round_watches action_watches terms timers codes ops numbers
         initially_true retained
@@ -46,7 +46,7 @@ structs! {
     }
     Step => Step { arms momentary duties }
     Duties => Duties { stored on_activation on_deactivation on_event orders activated }
-    Block => Block { first momentary timed stored on_activation on_deactivation on_event }
+    Block => Block { first momentary timed stored on_activation on_deactivation on_event forcing }
     Arm => Arm { transition word mask state }
     Macro => Macro { bit graph steps activated }
     Transition => Transition { fires crossing actions }

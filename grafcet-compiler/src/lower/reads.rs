@@ -1,28 +1,80 @@
 //! Who reads what.
 
-use grafcet_core::program::{Bit, Op};
+use grafcet_core::program::{Bit, Condition, Op, Rest, Run};
 
 use crate::application::Tables;
 
 /// For each word of inputs those that anybody reads: a condition, a value, an edge.
 pub(super) fn inputs(tables: &Tables) -> Vec<u32> {
-    let terms = tables.terms.iter().map(|term| (term.word, term.mask));
-    let arms = tables.arms.iter().map(|arm| (arm.word, arm.mask));
     let edges = tables.edges.iter().flat_map(|row| {
         let seen = [row.rises, row.falls].into_iter().flatten();
         seen.map(|seen| (row.word, seen.bits))
     });
-    let bits = tables.ops.iter().filter_map(|op| match op {
-        Op::Bit(Bit(bit)) => Some((bit / 32, 1 << (bit % 32))),
-        _ => None,
-    });
     let words = tables.layout.inputs;
     let mut read = vec![0; usize::from(words.len)];
-    for (word, mask) in terms.chain(arms).chain(edges).chain(bits) {
+    for (word, mask) in conditions(tables).chain(edges) {
         let place = word.checked_sub(words.start).map(usize::from);
         if let Some(inputs) = place.and_then(|place| read.get_mut(place)) {
             *inputs |= mask;
         }
     }
     read
+}
+
+/// Whether a condition or a value reads `System:first_scan`.
+pub(super) fn first_scan(tables: &Tables) -> bool {
+    let bit = Bit::FIRST_SCAN;
+    conditions(tables).any(|(word, mask)| usize::from(word) == bit.word() && mask & bit.mask() != 0)
+}
+
+/// Whether the situation of a word can be exchanged as soon as its steps have been looked at, since no trigger that is
+/// evaluated later reads it.
+pub(super) fn crosses_at_once(tables: &Tables) -> bool {
+    let first = tables.layout.situations.start;
+    tables.sources.is_empty()
+        && tables.links.is_empty()
+        && tables.graphs.iter().all(|graph| {
+            let earlier = first..graph.words.start;
+            let arms =
+                rows(&tables.steps, graph.steps).flat_map(|step| rows(&tables.arms, step.arms));
+            let transitions = rows(&tables.transitions, graph.transitions);
+            let triggers = transitions.flat_map(|transition| words(tables, &transition.fires));
+            !arms
+                .map(|arm| arm.word)
+                .chain(triggers)
+                .any(|word| earlier.contains(&word))
+        })
+}
+
+/// The words that a condition reads.
+fn words(tables: &Tables, condition: &Condition) -> impl Iterator<Item = u16> {
+    let terms = rows(&tables.terms, condition.terms).map(|term| term.word);
+    let code = match condition.rest {
+        Rest::Code(code) | Rest::Logic(code) => tables.codes.get(usize::from(code)),
+        Rest::None | Rest::Elapsed(_) | Rest::Running(_) => None,
+    };
+    let ops = code.into_iter().flat_map(|code| {
+        let start = code.start as usize;
+        tables.ops.iter().skip(start).take(usize::from(code.len))
+    });
+    let bits = ops.filter_map(|op| match op {
+        Op::Bit(bit) => Some(bit.0 / 32),
+        _ => None,
+    });
+    terms.chain(bits)
+}
+
+fn rows<T>(table: &[T], run: Run) -> impl Iterator<Item = &T> {
+    table.get(run.indices()).into_iter().flatten()
+}
+
+/// The words and bits that conditions and values read.
+fn conditions(tables: &Tables) -> impl Iterator<Item = (u16, u32)> {
+    let terms = tables.terms.iter().map(|term| (term.word, term.mask));
+    let arms = tables.arms.iter().map(|arm| (arm.word, arm.mask));
+    let bits = tables.ops.iter().filter_map(|op| match op {
+        Op::Bit(Bit(bit)) => Some((bit / 32, 1 << (bit % 32))),
+        _ => None,
+    });
+    terms.chain(arms).chain(bits)
 }

@@ -149,6 +149,7 @@ fn block(first: u16, steps: &[Step], duties: &[Duties]) -> Block {
         on_activation: mask(&|_, duties| duties.on_activation.len > 0),
         on_deactivation: mask(&|_, duties| duties.on_deactivation.len > 0),
         on_event: mask(&|_, duties| duties.on_event.len > 0),
+        forcing: mask(&|_, duties| duties.orders.len > 0),
     }
 }
 

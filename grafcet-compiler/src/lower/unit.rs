@@ -178,6 +178,8 @@ impl<'m> Lowering<'m> {
             fingerprint: 0,
             layout,
             read_inputs: Vec::new(),
+            reads_first_scan: false,
+            crosses_at_once: false,
             graphs: structure.graphs,
             hierarchy: structure.hierarchy,
             blocks: structure.blocks,
@@ -233,6 +235,8 @@ impl<'m> Lowering<'m> {
             return Err(beyond);
         }
         tables.read_inputs = reads::inputs(&tables);
+        tables.reads_first_scan = reads::first_scan(&tables);
+        tables.crosses_at_once = reads::crosses_at_once(&tables);
         tables.fingerprint = fingerprint::of(&tables);
         debug_assert_eq!(tables.program().unsoundness(), None);
         Ok((tables, self.places))

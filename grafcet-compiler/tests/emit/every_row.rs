@@ -147,6 +147,8 @@ fn tables() -> Tables {
             sets: 0,
         },
         read_inputs: vec![0xc000_0001],
+        reads_first_scan: true,
+        crosses_at_once: false,
         graphs: graphs(),
         hierarchy: vec![0, 1, 2],
         blocks: [(0, 0b111), (3, 0b1), (4, u32::MAX), (36, 0b1)]

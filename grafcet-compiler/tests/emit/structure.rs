@@ -45,6 +45,7 @@ pub fn block((first, steps): (u16, u32)) -> Block {
         on_activation: act,
         on_deactivation: act,
         on_event: act,
+        forcing: steps & !act,
     }
 }
 

@@ -1,6 +1,7 @@
 //! What a program becomes: conditions, watches, runs and places in the tables.
 
 mod conditions;
+mod crossing;
 mod identity;
 mod limits;
 mod logic;

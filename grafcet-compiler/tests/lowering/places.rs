@@ -169,3 +169,18 @@ fn inputs_count_as_read_by_conditions_values_and_edges_and_no_others() {
     );
     assert_eq!(tables.read_inputs, [0b011_1111]);
 }
+
+#[test]
+fn first_scan_counts_as_read_by_conditions_and_values_only_where_one_reads_it() {
+    let reads = |condition: &str| {
+        tables(&format!(
+            "input a\nvar m\ngraph G {{ initial step 1; transition 1: 1 -> 1 when {condition} }}"
+        ))
+        .reads_first_scan
+    };
+    assert!(!reads("a"));
+    assert!(!reads("System:recovered"));
+    assert!(reads("a AND NOT System:first_scan"));
+    assert!(reads("a XOR System:first_scan"));
+    assert!(reads("↑System:first_scan"));
+}

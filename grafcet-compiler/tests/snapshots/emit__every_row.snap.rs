@@ -23,6 +23,8 @@ pub static PROGRAM: Program<'static> = Program {
         sets: 0,
     },
     read_inputs: &[3221225473],
+    reads_first_scan: true,
+    crosses_at_once: false,
     graphs: &[
         Graph {
             steps: Run { start: 0, len: 3 },
@@ -71,6 +73,7 @@ pub static PROGRAM: Program<'static> = Program {
             on_activation: 3,
             on_deactivation: 3,
             on_event: 3,
+            forcing: 4,
         },
         Block {
             first: 3,
@@ -80,6 +83,7 @@ pub static PROGRAM: Program<'static> = Program {
             on_activation: 1,
             on_deactivation: 1,
             on_event: 1,
+            forcing: 0,
         },
         Block {
             first: 4,
@@ -89,6 +93,7 @@ pub static PROGRAM: Program<'static> = Program {
             on_activation: 4294967295,
             on_deactivation: 4294967295,
             on_event: 4294967295,
+            forcing: 0,
         },
         Block {
             first: 36,
@@ -98,6 +103,7 @@ pub static PROGRAM: Program<'static> = Program {
             on_activation: 1,
             on_deactivation: 1,
             on_event: 1,
+            forcing: 0,
         },
     ],
     steps: &[
@@ -871,6 +877,8 @@ pub static PLANTS: [PlantTables; 1] = [
                 sets: 0,
             },
             read_inputs: &[3221225473],
+            reads_first_scan: true,
+            crosses_at_once: false,
             graphs: &[
                 Graph {
                     steps: Run { start: 0, len: 3 },
@@ -919,6 +927,7 @@ pub static PLANTS: [PlantTables; 1] = [
                     on_activation: 3,
                     on_deactivation: 3,
                     on_event: 3,
+                    forcing: 4,
                 },
                 Block {
                     first: 3,
@@ -928,6 +937,7 @@ pub static PLANTS: [PlantTables; 1] = [
                     on_activation: 1,
                     on_deactivation: 1,
                     on_event: 1,
+                    forcing: 0,
                 },
                 Block {
                     first: 4,
@@ -937,6 +947,7 @@ pub static PLANTS: [PlantTables; 1] = [
                     on_activation: 4294967295,
                     on_deactivation: 4294967295,
                     on_event: 4294967295,
+                    forcing: 0,
                 },
                 Block {
                     first: 36,
@@ -946,6 +957,7 @@ pub static PLANTS: [PlantTables; 1] = [
                     on_activation: 1,
                     on_deactivation: 1,
                     on_event: 1,
+                    forcing: 0,
                 },
             ],
             steps: &[

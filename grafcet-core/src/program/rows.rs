@@ -85,6 +85,8 @@ pub struct Block {
     pub on_deactivation: u32,
     /// The steps that have statements `on event`.
     pub on_event: u32,
+    /// The steps that force.
+    pub forcing: u32,
 }
 
 /// A transition as its first entrance step sees it: armed, unless its first term says otherwise.

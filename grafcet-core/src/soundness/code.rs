@@ -1,6 +1,6 @@
 //! Conditions, and the stack that their code needs.
 
-use crate::program::{Code, Condition, Op, Preset, Program, Rest, Term};
+use crate::program::{Bit, Code, Condition, Op, Preset, Program, Rest, Term};
 
 impl Program<'_> {
     pub(super) const fn terms_are_sound(&self) -> bool {
@@ -20,11 +20,15 @@ impl Program<'_> {
             && self.notes_reading(term.word, term.mask)
     }
 
-    /// Whether inputs that are read there count as read.
+    /// Whether inputs and `System:first_scan` count as read when they are read there.
     pub(super) const fn notes_reading(&self, word: u16, mask: u32) -> bool {
         let inputs = &self.layout.inputs;
-        !inputs.holds(word as usize)
-            || mask & !self.read_inputs[word as usize - inputs.start as usize] == 0
+        if inputs.holds(word as usize) {
+            mask & !self.read_inputs[word as usize - inputs.start as usize] == 0
+        } else {
+            let first_scan = word as usize == Bit::FIRST_SCAN.word();
+            !first_scan || mask & Bit::FIRST_SCAN.mask() == 0 || self.reads_first_scan
+        }
     }
 
     pub(super) const fn condition_is_sound(&self, condition: Condition) -> bool {

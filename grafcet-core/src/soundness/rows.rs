@@ -43,7 +43,10 @@ impl Program<'_> {
         }
         let mut g = 0;
         while g < self.graphs.len() {
-            if !self.blocks_name_what_acts(&self.graphs[g]) {
+            let graph = &self.graphs[g];
+            if !self.blocks_name_what_acts(graph)
+                || (self.crosses_at_once && !self.arms_see_no_earlier(graph))
+            {
                 return false;
             }
             g += 1;

@@ -1,6 +1,6 @@
 //! Graphs, what arms their transitions, and where these lead.
 
-use crate::program::{Crossing, Graph, Program, Run};
+use crate::program::{Crossing, Graph, Op, Program, Rest, Run, Transition};
 
 impl Program<'_> {
     pub(super) const fn graphs_are_sound(&self) -> bool {
@@ -79,6 +79,7 @@ impl Program<'_> {
                 || (duties.on_activation.len > 0) != (block.on_activation & mask != 0)
                 || (duties.on_deactivation.len > 0) != (block.on_deactivation & mask != 0)
                 || (duties.on_event.len > 0) != (block.on_event & mask != 0)
+                || (duties.orders.len > 0) != (block.forcing & mask != 0)
             {
                 return false;
             }
@@ -205,6 +206,7 @@ impl Program<'_> {
                 let transition = &self.transitions[i];
                 let sound = self.crossing_is_sound(graph, transition.crossing)
                     && self.condition_is_sound(transition.fires)
+                    && (!self.crosses_at_once || self.sees_no_earlier(graph, transition))
                     && transition.actions.is_within(self.stored.len())
                     && (transition.actions.len == 0 || self.stores_on_change);
                 if !sound {
@@ -233,6 +235,53 @@ impl Program<'_> {
                     && self.links_are_steps_of(graph, exit)
             }
         }
+    }
+
+    /// Whether a transition reads no situation of an earlier graph, which has been exchanged by then.
+    const fn sees_no_earlier(&self, graph: &Graph, transition: &Transition) -> bool {
+        let terms = transition.fires.terms;
+        let mut i = terms.start as usize;
+        while i < terms.end() {
+            if self.is_earlier(graph, self.terms[i].word) {
+                return false;
+            }
+            i += 1;
+        }
+        if let Rest::Code(row) | Rest::Logic(row) = transition.fires.rest {
+            let code = self.codes[row as usize];
+            let mut i = code.start as usize;
+            while i < code.start as usize + code.len as usize {
+                if let Op::Bit(bit) = &self.ops[i]
+                    && self.is_earlier(graph, bit.0 >> 5)
+                {
+                    return false;
+                }
+                i += 1;
+            }
+        }
+        true
+    }
+
+    /// Whether a word holds the situation of a graph before that one.
+    const fn is_earlier(&self, graph: &Graph, word: u16) -> bool {
+        self.layout.situations.start <= word && word < graph.words.start
+    }
+
+    /// Whether what a step arms first reads no situation of an earlier graph either.
+    pub(super) const fn arms_see_no_earlier(&self, graph: &Graph) -> bool {
+        let mut i = graph.steps.start as usize;
+        while i < graph.steps.end() {
+            let arms = self.steps[i].arms;
+            let mut j = arms.start as usize;
+            while j < arms.end() {
+                if self.is_earlier(graph, self.arms[j].word) {
+                    return false;
+                }
+                j += 1;
+            }
+            i += 1;
+        }
+        true
     }
 
     const fn links_are_steps_of(&self, graph: &Graph, links: Run) -> bool {

@@ -8,7 +8,7 @@ use self::good::{FIVE, GOOD, across, all, only, run, within};
 use super::{Unsound, demand};
 use crate::program::{
     Assignment, Bit, Code, Condition, Edge, Evolution, Forced, Layout, Number, Op, Preset, Program,
-    Rest, Run, Seen, Slot, Stamp, Unit, Watch,
+    Rest, Run, Seen, Slot, Stamp, Term, Unit, Watch,
 };
 
 const _: () = demand(&GOOD);
@@ -132,6 +132,14 @@ fn a_first_value_lies_within_its_limits() {
 }
 
 #[test]
+fn situations_are_not_exchanged_at_once_where_others_reach_into_them() {
+    program_refused! {
+        crosses_at_once = true, sources = &[] => Layout;
+        crosses_at_once = true, links = &[] => Layout;
+    }
+}
+
+#[test]
 fn what_steps_do_stays_within_the_tables() {
     refused! {
         duties[2].stored = run(2, 1) => Duties;
@@ -227,6 +235,13 @@ fn what_is_read_of_the_inputs_counts_as_read() {
         read_inputs = &[0b101] => Terms;
         read_inputs = &[0b011] => Arms;
     }
+    let first_scan = Term {
+        word: 0,
+        mask: 1,
+        state: 1,
+    };
+    let terms = changed(GOOD.terms, |rows| rows[0] = first_scan);
+    program_refused! { terms = &terms => Terms; }
     refused! {
         ops[3] = Op::Bit(Bit(35)) => Codes;
     }

@@ -79,6 +79,7 @@ const fn block(first: u16) -> Block {
         on_activation: 0,
         on_deactivation: 0,
         on_event: 0,
+        forcing: 0,
     }
 }
 
@@ -147,6 +148,8 @@ pub(super) const GOOD: Program<'static> = Program {
         sets: 0,
     },
     read_inputs: &[0b111],
+    reads_first_scan: false,
+    crosses_at_once: false,
     graphs: &[
         Graph {
             steps: run(0, 3),
@@ -183,6 +186,7 @@ pub(super) const GOOD: Program<'static> = Program {
             on_activation: 0,
             on_deactivation: 0b010,
             on_event: 0b010,
+            forcing: 0b100,
         },
         block(3),
         block(4),

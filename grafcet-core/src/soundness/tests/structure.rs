@@ -55,6 +55,7 @@ fn a_word_of_a_situation_leads_to_the_steps_in_it_and_to_all_that_act() {
         blocks[0].on_activation = 0b001 => Steps;
         blocks[0].on_deactivation = 0b000 => Steps;
         blocks[0].on_event = 0b110 => Steps;
+        blocks[0].forcing = 0b000 => Steps;
         blocks[1].timed = 0b1 => Steps;
         steps[36].duties = 1 => Steps;
         steps[36].momentary = run(0, 1) => Steps;
