@@ -29,6 +29,7 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
     }
 
     /// Phase 6, the statements that belong to a change: `do`, `on event`, `on deactivation`, `on activation`.
+    #[inline(always)]
     pub(crate) fn run_changes(&mut self) {
         let tables = self.tables;
         let program = tables.program();
@@ -45,6 +46,7 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
     }
 
     /// Phase 6, the statements without `on`: stand-alone actions, then actions of the active steps.
+    #[inline(always)]
     pub(crate) fn run_lasting(&mut self) {
         let tables = self.tables;
         let program = tables.program();

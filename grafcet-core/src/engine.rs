@@ -355,6 +355,7 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
     }
 
     /// Whether the situation is another than before this scan (round).
+    #[inline(always)]
     fn any_changed(&self) -> bool {
         let tables = self.tables;
         let program = tables.program();

@@ -65,6 +65,7 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
 
     /// Fires all marked transitions together: first every entrance step is left, then every exit step is entered, so
     /// that activation has priority (IEC 60848 rule 5). The situations before are kept.
+    #[inline(always)]
     pub(crate) fn fire(&mut self) {
         let tables = self.tables;
         let program = tables.program();
@@ -119,6 +120,7 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
     }
 
     /// Whether any transition of this round has fired.
+    #[inline(always)]
     pub(crate) fn any_fired(&self) -> bool {
         self.memory.store.fired().iter().any(|word| *word != 0)
     }
