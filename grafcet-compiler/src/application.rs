@@ -1,9 +1,9 @@
 //! What the compiler hands on: tables for the engine, and what people call the things in them.
 
 use grafcet_core::program::{
-    Arm, Bit, Block, Code, Dependent, Duties, Edges, Enclosing, Event, Evolution, Graph, Layout,
-    Macro, Momentary, NumberRow, Op, Order, Program, Retained, Run, Slot, Step, Stored, Target,
-    Term, Timer, Transition, Watch,
+    Arm, Bit, Block, Code, Condition, Crossing, Dependent, Duties, Edges, Enclosing, Event,
+    Evolution, Graph, Layout, Macro, Momentary, NumberRow, Op, Order, Program, Retained, Run, Slot,
+    Step, Stored, Target, Term, Timer, Transition, Watch,
 };
 
 use crate::ast::{DeclarationKind, Type};
@@ -51,6 +51,8 @@ pub struct Tables {
     pub duties: Vec<Duties>,
     pub macros: Vec<Macro>,
     pub transitions: Vec<Transition>,
+    pub crossings: Vec<Crossing>,
+    pub do_blocks: Vec<Run>,
     pub links: Vec<Bit>,
     pub arms: Vec<Arm>,
     pub situations: Vec<u32>,
@@ -72,6 +74,7 @@ pub struct Tables {
     pub trigger_watches: Run,
     pub round_watches: Run,
     pub action_watches: Run,
+    pub conditions: Vec<Condition>,
     pub terms: Vec<Term>,
     pub timers: Vec<Timer>,
     pub codes: Vec<Code>,
@@ -100,6 +103,8 @@ impl Tables {
             duties: &self.duties,
             macros: &self.macros,
             transitions: &self.transitions,
+            crossings: &self.crossings,
+            do_blocks: &self.do_blocks,
             links: &self.links,
             arms: &self.arms,
             situations: &self.situations,
@@ -121,6 +126,7 @@ impl Tables {
             trigger_watches: self.trigger_watches,
             round_watches: self.round_watches,
             action_watches: self.action_watches,
+            conditions: &self.conditions,
             terms: &self.terms,
             timers: &self.timers,
             codes: &self.codes,

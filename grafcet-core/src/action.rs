@@ -33,7 +33,10 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
         let tables = self.tables;
         let program = tables.program();
         if program.stores_on_change {
-            self.for_each_fired(|engine, transition| engine.run_stored(transition.actions));
+            self.for_each_fired(|engine, transition| {
+                let tables = engine.tables;
+                engine.run_stored(tables.program().do_block(transition));
+            });
         }
         if !program.events.is_empty() {
             self.for_each_duty(Part::OnEvent);
@@ -83,7 +86,8 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
             self.memory.put_word(usize::from(only), shown);
         }
         for Dependent { owner, statement } in program.dependent {
-            if owner.is_none_or(|step| self.memory.bit(step)) && self.holds(&statement.condition) {
+            if owner.is_none_or(|step| self.memory.bit(step)) && self.holds_row(statement.condition)
+            {
                 for target in statement.targets.of(program.targets) {
                     self.memory.raise(*target);
                 }
@@ -234,7 +238,7 @@ impl<P: Compiled, M: Memory> VisitSteps for Showing<'_, P, M> {
     #[inline(always)]
     fn step(&mut self, step: &Step) {
         let tables = self.engine.tables;
-        if let Some(rows) = step.momentary.some(tables.program().momentary) {
+        if let Some(rows) = step.momentary().some(tables.program().momentary) {
             each::<P, Momentary>(rows, self);
         }
     }
@@ -247,7 +251,7 @@ impl<P: Compiled, M: Memory> Visit<Momentary> for Showing<'_, P, M> {
     #[inline(always)]
     fn row(&mut self, row: &Momentary) {
         let tables = self.engine.tables;
-        if self.engine.holds(&row.condition)
+        if self.engine.holds_row(row.condition)
             && let Some(targets) = row.targets.some(tables.program().targets)
         {
             each::<P, Target>(targets, self);

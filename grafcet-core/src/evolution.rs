@@ -83,7 +83,7 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
         let tables = self.tables;
         let program = tables.program();
         self.for_each_fired(|engine, transition| {
-            let Crossing::Across { entrance, exit } = transition.crossing else {
+            let Crossing::Across { entrance, exit } = program.crossing(transition) else {
                 return;
             };
             for step in side(entrance, exit).of(program.links) {
@@ -236,7 +236,7 @@ impl<P: Compiled, M: Memory> VisitSteps for Marking<'_, P, M> {
 
     #[inline(always)]
     fn step(&mut self, step: &Step) {
-        self.arms(step.arms);
+        self.arms(step.arms());
     }
 
     #[inline(always)]
@@ -270,17 +270,19 @@ impl<P: Compiled, M: Memory> Visit<Arm> for Marking<'_, P, M> {
     #[inline(always)]
     fn row(&mut self, arm: &Arm) {
         let tables = self.engine.tables;
-        let word = self.engine.memory.store.image().get(usize::from(arm.word));
-        if word.is_none_or(|word| word & arm.mask != arm.state) {
+        let program = tables.program();
+        let term = program.terms.get(usize::from(arm.term));
+        let image = self.engine.memory.store.image();
+        if term.is_none_or(|term| !term.holds(image)) {
             return;
         }
         let row = usize::from(arm.transition);
-        let Some(transition) = tables.program().transitions.get(row) else {
+        let Some(transition) = program.transitions.get(row) else {
             return;
         };
-        if self.engine.holds(&transition.fires) {
+        if self.engine.holds_row(transition.fires) {
             self.mark(row);
-            if let Crossing::Within { leaves, enters } = transition.crossing {
+            if let Crossing::Within { leaves, enters } = program.crossing(transition) {
                 self.leaves |= leaves;
                 self.enters |= enters;
             }

@@ -122,6 +122,10 @@ pub struct Program<'a> {
     pub macros: &'a [Macro],
     /// The transitions of all graphs.
     pub transitions: &'a [Transition],
+    /// What transitions do to situations.
+    pub crossings: &'a [Crossing],
+    /// Rows of `stored`: the `do` blocks of transitions; row 0 is empty.
+    pub do_blocks: &'a [Run],
     /// Runs of bits: entrances and exits of the transitions of graphs with more than 32 steps.
     pub links: &'a [Bit],
     /// Transitions: those that each step arms first, those of each graph without entrance.
@@ -164,6 +168,8 @@ pub struct Program<'a> {
     pub round_watches: Run,
     /// Rows of `watches`: those in all other actions (before phase 6).
     pub action_watches: Run,
+    /// Conditions of transitions and momentary statements; row 0 always holds.
+    pub conditions: &'a [Condition],
     /// Conjunctions.
     pub terms: &'a [Term],
     /// Timers on steps.
@@ -187,7 +193,7 @@ impl Program<'_> {
         graph: &Graph,
         transition: &Transition,
     ) -> impl Iterator<Item = usize> + '_ {
-        match transition.crossing {
+        match self.crossing(transition) {
             Crossing::Within { leaves, .. } => self.steps_of(graph, leaves, Run::EMPTY),
             Crossing::Across { entrance, .. } => self.steps_of(graph, 0, entrance),
         }
@@ -199,9 +205,43 @@ impl Program<'_> {
         graph: &Graph,
         transition: &Transition,
     ) -> impl Iterator<Item = usize> + '_ {
-        match transition.crossing {
+        match self.crossing(transition) {
             Crossing::Within { enters, .. } => self.steps_of(graph, enters, Run::EMPTY),
             Crossing::Across { exit, .. } => self.steps_of(graph, 0, exit),
+        }
+    }
+
+    /// What firing a transition does to the situation.
+    #[must_use]
+    #[inline(always)]
+    pub fn crossing(&self, transition: &Transition) -> Crossing {
+        let row = self.crossings.get(usize::from(transition.crossing));
+        row.copied().unwrap_or(Crossing::NONE)
+    }
+
+    /// The statements of the `do` block of a transition.
+    #[must_use]
+    #[inline(always)]
+    pub fn do_block(&self, transition: &Transition) -> Run {
+        match transition.actions {
+            0 => Run::EMPTY,
+            row => {
+                let run = self.do_blocks.get(usize::from(row));
+                run.copied().unwrap_or(Run::EMPTY)
+            }
+        }
+    }
+
+    /// A row of the conditions.
+    #[must_use]
+    #[inline(always)]
+    pub fn condition(&self, row: u16) -> Condition {
+        match row {
+            0 => Condition::ALWAYS,
+            row => {
+                let condition = self.conditions.get(usize::from(row));
+                condition.copied().unwrap_or(Condition::ALWAYS)
+            }
         }
     }
 

@@ -30,6 +30,10 @@ pub enum Unsound {
     Macros,
     /// A transition joins what is no step of its graph, or points outside a table.
     Transitions,
+    /// A `do` block points outside the stored statements, or the first one holds any.
+    DoBlocks,
+    /// A condition asks for what is not there, or the first one for anything.
+    Conditions,
     /// A timer waits for what is not there.
     Timers,
     /// The code of a condition is cut off, takes what is not there or needs more stack than there is.
@@ -69,6 +73,8 @@ impl Unsound {
             Unsound::Steps => "the table of steps is unsound",
             Unsound::Macros => "the table of macro steps is unsound",
             Unsound::Transitions => "the table of transitions is unsound",
+            Unsound::DoBlocks => "the table of `do` blocks is unsound",
+            Unsound::Conditions => "the table of conditions is unsound",
             Unsound::Timers => "the table of timers on steps is unsound",
             Unsound::Codes => "the code of the conditions is unsound",
             Unsound::Arms => "the table of armed transitions is unsound",
@@ -99,11 +105,11 @@ impl Unsound {
 /// # };
 /// # const EMPTY: Program<'static> = Program {
 /// #     period_ms: 10, evolution: Evolution::Scan, fingerprint: 0, layout: LAYOUT, read_inputs: &[], reads_first_scan: false, crosses_at_once: false, graphs: &[], hierarchy: &[],
-/// #     blocks: &[], steps: &[], duties: &[], macros: &[], transitions: &[], links: &[], arms: &[],
+/// #     blocks: &[], steps: &[], duties: &[], macros: &[], transitions: &[], crossings: &[], do_blocks: &[], links: &[], arms: &[],
 /// #     situations: &[], enclosings: &[], orders: &[], sources: &[], lasting_in_steps: false,
 /// #     momentary_varies: false, stores_on_change: false, stored: &[], events: &[], always_stored: Run::EMPTY, targets: &[], momentary: &[], always_momentary: Run::EMPTY,
 /// #     dependent: &[], edges: &[], watches: &[], trigger_watches: Run::EMPTY, round_watches: Run::EMPTY,
-/// #     action_watches: Run::EMPTY, terms: &[], timers: &[], codes: &[], ops: &[], numbers: &[],
+/// #     action_watches: Run::EMPTY, conditions: &[], terms: &[], timers: &[], codes: &[], ops: &[], numbers: &[],
 /// #     initially_true: &[], retained: &[],
 /// # };
 /// static PROGRAM: Program<'static> = Program { hierarchy: &[], ..EMPTY };
@@ -122,11 +128,11 @@ impl Unsound {
 /// # };
 /// # const EMPTY: Program<'static> = Program {
 /// #     period_ms: 10, evolution: Evolution::Scan, fingerprint: 0, layout: LAYOUT, read_inputs: &[], reads_first_scan: false, crosses_at_once: false, graphs: &[], hierarchy: &[],
-/// #     blocks: &[], steps: &[], duties: &[], macros: &[], transitions: &[], links: &[], arms: &[],
+/// #     blocks: &[], steps: &[], duties: &[], macros: &[], transitions: &[], crossings: &[], do_blocks: &[], links: &[], arms: &[],
 /// #     situations: &[], enclosings: &[], orders: &[], sources: &[], lasting_in_steps: false,
 /// #     momentary_varies: false, stores_on_change: false, stored: &[], events: &[], always_stored: Run::EMPTY, targets: &[], momentary: &[], always_momentary: Run::EMPTY,
 /// #     dependent: &[], edges: &[], watches: &[], trigger_watches: Run::EMPTY, round_watches: Run::EMPTY,
-/// #     action_watches: Run::EMPTY, terms: &[], timers: &[], codes: &[], ops: &[], numbers: &[],
+/// #     action_watches: Run::EMPTY, conditions: &[], terms: &[], timers: &[], codes: &[], ops: &[], numbers: &[],
 /// #     initially_true: &[], retained: &[],
 /// # };
 /// static PROGRAM: Program<'static> = Program { hierarchy: &[0], ..EMPTY };
@@ -163,6 +169,10 @@ impl Program<'_> {
             Some(Unsound::Timers)
         } else if !self.codes_are_sound() {
             Some(Unsound::Codes)
+        } else if !self.conditions_are_sound() {
+            Some(Unsound::Conditions)
+        } else if !self.do_blocks_are_sound() {
+            Some(Unsound::DoBlocks)
         } else if !self.links_are_sound() {
             Some(Unsound::Links)
         } else if !self.graphs_are_sound() {

@@ -3,7 +3,7 @@
 use grafcet_core::Engine;
 use grafcet_core::program::{
     Arm, Bit, Block, Condition, Crossing, Duties, Edges, Evolution, Graph, Layout, Momentary,
-    NumberRow, Preset, Program, Rest, Run, Seen, Stamp, Step, Target, Timer, Transition,
+    NumberRow, Preset, Program, Rest, Run, Seen, Stamp, Step, Target, Term, Timer, Transition,
 };
 
 const A: Bit = Bit(32);
@@ -80,14 +80,18 @@ static PROGRAM: Program<'static> = Program {
     }],
     steps: &[
         Step {
-            arms: run(0, 1),
-            momentary: Run::EMPTY,
+            first_arm: 0,
+            first_momentary: 0,
             duties: 0,
+            arm_count: 1,
+            momentary_count: 0,
         },
         Step {
-            arms: run(1, 1),
-            momentary: run(0, 1),
+            first_arm: 1,
+            first_momentary: 0,
             duties: 1,
+            arm_count: 1,
+            momentary_count: 1,
         },
     ],
     duties: &[
@@ -100,38 +104,36 @@ static PROGRAM: Program<'static> = Program {
     macros: &[],
     transitions: &[
         Transition {
-            fires: Condition::ALWAYS,
-            crossing: Crossing::Within {
-                leaves: 0b01,
-                enters: 0b10,
-            },
-            actions: Run::EMPTY,
+            fires: 0,
+            crossing: 0,
+            actions: 0,
         },
         Transition {
-            fires: Condition {
-                terms: Run::EMPTY,
-                rest: Rest::Elapsed(0),
-            },
-            crossing: Crossing::Within {
-                leaves: 0b10,
-                enters: 0b01,
-            },
-            actions: Run::EMPTY,
+            fires: 1,
+            crossing: 1,
+            actions: 0,
         },
     ],
+    crossings: &[
+        Crossing::Within {
+            leaves: 0b01,
+            enters: 0b10,
+        },
+        Crossing::Within {
+            leaves: 0b10,
+            enters: 0b01,
+        },
+    ],
+    do_blocks: &[Run::EMPTY],
     links: &[],
     arms: &[
         Arm {
             transition: 0,
-            word: 5,
-            mask: 1,
-            state: 1,
+            term: 0,
         },
         Arm {
             transition: 1,
-            word: 0,
-            mask: 0,
-            state: 0,
+            term: 1,
         },
     ],
     situations: &[0b01],
@@ -147,7 +149,7 @@ static PROGRAM: Program<'static> = Program {
     targets: &[Target { word: 3, mask: 1 }],
     momentary: &[Momentary {
         targets: run(0, 1),
-        condition: Condition::ALWAYS,
+        condition: 0,
     }],
     always_momentary: Run::EMPTY,
     dependent: &[],
@@ -161,7 +163,25 @@ static PROGRAM: Program<'static> = Program {
     trigger_watches: Run::EMPTY,
     round_watches: Run::EMPTY,
     action_watches: Run::EMPTY,
-    terms: &[],
+    conditions: &[
+        Condition::ALWAYS,
+        Condition {
+            terms: Run::EMPTY,
+            rest: Rest::Elapsed(0),
+        },
+    ],
+    terms: &[
+        Term {
+            word: 5,
+            mask: 1,
+            state: 1,
+        },
+        Term {
+            word: 0,
+            mask: 0,
+            state: 0,
+        },
+    ],
     timers: &[Timer {
         step: X2,
         activated: Stamp(0),

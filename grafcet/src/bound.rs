@@ -224,7 +224,7 @@ fn arming(program: &Program<'_>, block: &Block) -> u32 {
     let next = program.blocks.iter().map(|it| it.first);
     let next = next.filter(|first| *first > block.first).min();
     let count = next.map_or(32, |next| usize::from(next - block.first));
-    let arms = |(bit, step): (usize, &Step)| u32::from(step.arms.len > 0) << bit;
+    let arms = |(bit, step): (usize, &Step)| u32::from(step.arm_count > 0) << bit;
     let steps = steps.unwrap_or_default().iter().take(count.min(32));
     steps.enumerate().map(arms).sum()
 }

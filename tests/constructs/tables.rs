@@ -39,17 +39,14 @@ pub fn look(program: &Program<'_>, seen: &mut Seen) {
     program.watches.iter().for_each(|it| watch(it, seen));
     program.stored.iter().for_each(|it| stored(it, seen));
     program.orders.iter().for_each(|it| order(it, seen));
-    for transition in program.transitions {
-        seen.insert(transition.crossing.name());
+    for crossing in program.crossings {
+        seen.insert(crossing.name());
     }
     for timer in program.timers {
         seen.insert(timer.preset.name());
     }
-    let triggers = program.transitions.iter().map(|it| it.fires);
-    let momentary = program.momentary.iter().map(|it| it.condition);
-    let dependent = program.dependent.iter().map(|it| it.statement.condition);
-    for it in triggers.chain(momentary).chain(dependent) {
-        condition(&it, seen);
+    for it in program.conditions {
+        condition(it, seen);
     }
     seen.extend(
         features(program)
@@ -105,7 +102,7 @@ fn features(program: &Program<'_>) -> [(&'static str, bool); 22] {
         ("step timed", duties.iter().any(|it| it.activated.is_some())),
         (
             "momentary of a step",
-            steps.iter().any(|it| it.momentary.len > 0),
+            steps.iter().any(|it| it.momentary_count > 0),
         ),
         (
             "momentary of a stand-alone action",
@@ -120,7 +117,10 @@ fn features(program: &Program<'_>) -> [(&'static str, bool); 22] {
         ("source transition", !program.sources.is_empty()),
         (
             "first term of a transition",
-            program.arms.iter().any(|it| it.mask != 0),
+            program.arms.iter().any(|it| {
+                let term = program.terms.get(usize::from(it.term));
+                term.is_some_and(|term| term.mask != 0)
+            }),
         ),
     ]
 }

@@ -98,22 +98,17 @@ impl Lowering<'_> {
     fn lower_momentary(&mut self) {
         let causality = Causality::of(self.model, &self.graphs);
         let independent = || causality.statements.iter().filter(|it| it.reads.is_empty());
-        let start = self.rows.momentary.len();
-        for it in independent().filter(|it| it.owner.is_none()) {
-            let row = self.momentary(it.statement);
-            self.rows.momentary.push(row);
-        }
-        self.rows.always_momentary = since(&self.rows.momentary, start);
+        let always = independent().filter(|it| it.owner.is_none());
+        let rows = always.map(|it| self.momentary(it.statement)).collect();
+        self.rows.always_momentary = self.rows.momentary.run(rows);
         let in_steps: Vec<_> = independent()
             .filter_map(|it| Some((it.owner?, it.statement)))
             .collect();
         for of_one_step in in_steps.chunk_by(|a, b| a.0 == b.0) {
-            let start = self.rows.momentary.len();
-            for (_, statement) in of_one_step {
-                let row = self.momentary(statement);
-                self.rows.momentary.push(row);
-            }
-            let run = since(&self.rows.momentary, start);
+            let statements = of_one_step.iter();
+            let rows = statements.map(|(_, statement)| self.momentary(statement));
+            let rows = rows.collect();
+            let run = self.rows.momentary.run(rows);
             if let Some((step, _)) = of_one_step.first()
                 && let Some(runs) = self.step_runs(*step)
             {
@@ -142,9 +137,10 @@ impl Lowering<'_> {
         let targets = words.into_iter();
         let targets = targets.map(|(word, mask)| Target { word, mask });
         let targets = self.pool.targets.run(targets.collect());
+        let condition = self.optional(statement.condition.as_ref(), Context::Action);
         Momentary {
             targets,
-            condition: self.optional(statement.condition.as_ref(), Context::Action),
+            condition: self.pool.conditions.row(condition),
         }
     }
 }

@@ -61,11 +61,14 @@ impl Lowering<'_> {
             .collect();
         let fires = self.pool.headed(&others, &node, span);
         self.rows.firsts.push(fires.first);
-        let actions = self.stored(&transition.action.stored, self.change());
+        let actions = match self.stored(&transition.action.stored, self.change()) {
+            Run { len: 0, .. } => Run::EMPTY,
+            run => run,
+        };
         Transition {
             fires: fires.condition,
-            crossing,
-            actions,
+            crossing: self.rows.crossings.row(crossing),
+            actions: self.rows.do_blocks.row(actions),
         }
     }
 

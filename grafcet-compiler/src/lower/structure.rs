@@ -2,12 +2,12 @@
 
 use std::collections::BTreeMap;
 
-use grafcet_core::program::{Arm, Block, Duties, Graph, Macro, Run, Stamp, Step, Term};
+use grafcet_core::program::{Arm, Block, Duties, Graph, Macro, Run, Stamp, Step};
 
 use super::atoms::Atom;
 use super::graph::{StepRuns, since};
-use super::limits::index;
-use super::pool::{NO_TERM, Shared};
+use super::limits::{MOST_OF_A_STEP, count, index, too_many};
+use super::pool::Shared;
 use super::unit::Lowering;
 use super::watch::Context;
 use crate::model::{self, GraphId, Hierarchy, Situation, StepId};
@@ -47,8 +47,7 @@ impl Lowering<'_> {
             arms: Vec::new(),
             sources: Vec::new(),
         };
-        let mut duties = Shared::default();
-        duties.row(duties_of(&StepRuns::default(), None));
+        let mut duties = Shared::behind(duties_of(&StepRuns::default(), None));
         for (row, &id) in graphs.iter().enumerate() {
             let graph = &model[id];
             let (armed, sources) = armed_by(model, id, first_transition);
@@ -63,10 +62,14 @@ impl Lowering<'_> {
                 let armed = armed.get(&step).into_iter().flatten();
                 structure.arms.extend(armed.map(|row| self.arm(*row)));
                 let activated = activations.get(&Atom::Step(step)).copied();
+                let (arms, momentary) = (structure.arms.len() - start, runs.momentary.len);
+                self.limit_step(step, arms, usize::from(momentary));
                 structure.steps.push(Step {
-                    arms: since(&structure.arms, start),
-                    momentary: runs.momentary,
+                    first_arm: index(start),
+                    first_momentary: runs.momentary.start,
                     duties: duties.row(duties_of(&runs, activated)),
+                    arm_count: count(arms),
+                    momentary_count: count(usize::from(momentary)),
                 });
             }
             let start = structure.arms.len();
@@ -111,14 +114,28 @@ impl Lowering<'_> {
         structure
     }
 
+    /// Reports a step that has too much of something.
+    fn limit_step(&mut self, step: StepId, arms: usize, momentary: usize) {
+        let span = self.model[step].span;
+        let counts = [
+            (
+                arms,
+                "transitions that have it as their first entrance step",
+            ),
+            (momentary, "momentary statements"),
+        ];
+        let beyond = counts
+            .into_iter()
+            .filter(|(count, _)| *count > MOST_OF_A_STEP);
+        let beyond = beyond.map(|(count, what)| too_many(count, what, span));
+        self.pool.beyond.extend(beyond);
+    }
+
     fn arm(&self, transition: u16) -> Arm {
         let first = self.rows.firsts.get(usize::from(transition));
-        let Term { word, mask, state } = first.copied().unwrap_or(NO_TERM);
         Arm {
             transition,
-            word,
-            mask,
-            state,
+            term: first.copied().unwrap_or_default(),
         }
     }
 
@@ -143,7 +160,7 @@ fn block(first: u16, steps: &[Step], duties: &[Duties]) -> Block {
     };
     Block {
         first,
-        momentary: mask(&|step, _| step.momentary.len > 0),
+        momentary: mask(&|step, _| step.momentary_count > 0),
         timed: mask(&|_, duties| duties.activated.is_some()),
         stored: mask(&|_, duties| duties.stored.len > 0),
         on_activation: mask(&|_, duties| duties.on_activation.len > 0),

@@ -1,8 +1,6 @@
 //! The graphs of that controller.
 
-use grafcet_core::program::{
-    Arm, Block, Condition, Crossing, Duties, Graph, Run, Stamp, Step, Transition,
-};
+use grafcet_core::program::{Arm, Block, Crossing, Duties, Graph, Run, Stamp, Step, Transition};
 
 use super::run;
 
@@ -51,14 +49,12 @@ pub fn block((first, steps): (u16, u32)) -> Block {
 
 pub fn step(index: u16) -> Step {
     let arm = [0, 1, 4, 36].iter().position(|step| *step == index);
-    let arms = match arm {
-        Some(place) => run([0, 1, 3, 4][place], 1),
-        None => Run::EMPTY,
-    };
     Step {
-        arms,
-        momentary: run(0, 1),
+        first_arm: arm.map_or(0, |place| [0, 1, 3, 4][place]),
+        first_momentary: 0,
         duties: 1 + u16::from(index == 2),
+        arm_count: u8::from(arm.is_some()),
+        momentary_count: 1,
     }
 }
 
@@ -89,12 +85,9 @@ pub fn duties() -> Vec<Duties> {
 }
 
 pub fn arm(transition: u16) -> Arm {
-    let bits = if transition == 0 { 0x4000_0001 } else { 0 };
     Arm {
         transition,
-        word: transition.min(1),
-        mask: bits,
-        state: bits & 1,
+        term: 1 + transition.min(1),
     }
 }
 
@@ -109,10 +102,10 @@ pub fn across(entrance: u16, exit: u16) -> Crossing {
     }
 }
 
-pub fn transition(crossing: Crossing, fires: Condition) -> Transition {
+pub fn transition(crossing: u16, fires: u16) -> Transition {
     Transition {
         fires,
         crossing,
-        actions: run(1, 1),
+        actions: 1,
     }
 }

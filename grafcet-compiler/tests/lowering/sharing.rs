@@ -1,6 +1,6 @@
 //! Rows that are asked for again are there once.
 
-use grafcet_core::program::{Crossing, Target};
+use grafcet_core::program::{Condition, Crossing, Run, Target};
 
 use crate::{graph, tables};
 
@@ -10,7 +10,9 @@ fn equal_conditions_share_their_rows() {
         "initial step 1 { M IF a AND b; N IF b AND a; O IF a OR b }\n\
          transition 1: 1 -> 1 when a AND b\ntransition 2: 1 -> 1 when a OR b",
     );
-    assert_eq!(tables.terms.len(), 1);
+    // `a AND b`, and what always holds.
+    assert_eq!(tables.terms.len(), 2);
+    assert_eq!(tables.conditions.len(), 3);
     assert_eq!((tables.codes.len(), tables.ops.len()), (1, 3));
     assert_eq!(tables.momentary[0].condition, tables.momentary[1].condition);
     assert_eq!(tables.momentary[2].condition, tables.transitions[1].fires);
@@ -19,10 +21,14 @@ fn equal_conditions_share_their_rows() {
 #[test]
 fn the_first_term_of_a_transition_is_in_its_arm_alone() {
     let tables = graph("initial step 1\ntransition 1: 1 -> 1 when a AND NOT b");
-    assert!(tables.terms.is_empty());
+    assert_eq!(tables.terms.len(), 1);
+    assert_eq!(tables.conditions, [Condition::ALWAYS]);
     let tables =
         graph("initial step 1\ntransition 1: 1 -> 1 when a AND NOT b AND NOT System:unstable");
-    assert_eq!(tables.terms.len(), 1);
+    let behind = Run { start: 0, len: 1 };
+    assert_eq!(tables.terms.len(), 2);
+    assert_eq!(tables.conditions[1].terms, behind);
+    assert_eq!(tables.arms[0].term, 1);
 }
 
 #[test]
@@ -67,6 +73,35 @@ fn variables_in_two_words_are_two_targets_of_one_statement() {
 }
 
 #[test]
+fn steps_that_do_alike_share_momentary_statements() {
+    let tables = graph(
+        "initial step 1 { M IF a; N }; step 2 { M IF a; N }; step 3 { M IF a }\n\
+         transition 1: 1 -> 2 when a; transition 2: 2 -> 3 when a",
+    );
+    let runs: Vec<Run> = tables.steps.iter().map(|step| step.momentary()).collect();
+    assert_eq!(runs[0], runs[1]);
+    assert_ne!(runs[0], runs[2]);
+    assert_eq!(tables.momentary.len(), 3);
+}
+
+#[test]
+fn graphs_that_are_alike_share_all_but_their_steps() {
+    let graphs: Vec<String> = ["G", "H"]
+        .map(|name| {
+            format!(
+                "graph {name} {{ initial step 1; step 2 {{ M }}\n\
+                 transition 1: 1 -> 2 when a; transition 2: 2 -> 1 when T/X2/1s }}\n"
+            )
+        })
+        .to_vec();
+    let tables = tables(&format!("input a\noutput M\n{}", graphs.concat()));
+    assert_eq!(tables.crossings.len(), 2);
+    // Nothing, and the timers of two steps.
+    assert_eq!(tables.conditions.len(), 3);
+    assert_eq!((tables.momentary.len(), tables.do_blocks.len()), (1, 1));
+}
+
+#[test]
 fn what_steps_do_alike_is_one_row_and_nothing_is_the_first() {
     let tables = graph(
         "initial step 1; step 2 { M }; step 3; step 4; step 5 { n = 1 }\n\
@@ -102,11 +137,11 @@ fn a_graph_of_one_word_needs_no_links() {
         leaves: 1 << 30,
         enters: 1 << 31,
     };
-    assert_eq!(small.transitions[30].crossing, last);
+    assert_eq!(small.program().crossing(&small.transitions[30]), last);
     assert_eq!(small.blocks.len(), 1);
     let large = chain(33);
     assert!(matches!(
-        large.transitions[0].crossing,
+        large.program().crossing(&large.transitions[0]),
         Crossing::Across { .. }
     ));
     assert_eq!(large.links.len(), 64);

@@ -3,7 +3,7 @@
 use grafcet_compiler::application::Tables;
 use grafcet_core::program::{Bit, Edge, Edges, Op, Preset, Run, Term, Unit, Watch};
 
-use crate::{graph, ops_of, tables, terms_of};
+use crate::{condition, graph, ops_of, tables, terms_of};
 
 fn of(tables: &Tables, run: Run) -> Vec<Watch> {
     run.of(&tables.watches).to_vec()
@@ -22,7 +22,10 @@ fn a_step_is_timed_by_its_activation_and_others_are_not_timed() {
         .collect();
     let activated = tables.duties[usize::from(tables.steps[0].duties)].activated;
     assert_eq!(timers, [(Bit(64), activated.unwrap()); 2]);
-    let ops = ops_of(&tables, tables.transitions[1].fires.rest);
+    let ops = ops_of(
+        &tables,
+        condition(&tables, tables.transitions[1].fires).rest,
+    );
     let elapsed = ops.iter().filter(|op| **op == Op::Elapsed(1));
     assert_eq!(elapsed.count(), 2);
     assert_eq!(tables.layout.stamps, 1);
@@ -138,7 +141,9 @@ fn edges_of_inputs_are_watched_by_their_words_for_all_phases() {
         ]
     );
     assert_eq!(tables.events[0].event, Bit(rises.word * 32 + 1));
-    let of_m = tables.momentary[0].condition.terms.of(&tables.terms);
+    let of_m = condition(&tables, tables.momentary[0].condition)
+        .terms
+        .of(&tables.terms);
     assert_eq!(of_m, [term(rises.word, 0b001)]);
 }
 

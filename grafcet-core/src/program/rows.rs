@@ -30,12 +30,38 @@ pub struct Graph {
 /// A step: what it arms and what it does.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Step {
-    /// Rows of [`Program::arms`](super::Program::arms): transitions that have this step as their first entrance step.
-    pub arms: Run,
-    /// Rows of [`Program::momentary`](super::Program::momentary): statements that depend on no momentary variable.
-    pub momentary: Run,
+    /// First row of [`Step::arms`].
+    pub first_arm: u16,
+    /// First row of [`Step::momentary`].
+    pub first_momentary: u16,
     /// Row of [`Program::duties`](super::Program::duties): what else it does. Row 0 is that of a step that does nothing else.
     pub duties: u16,
+    /// How many [`Step::arms`] it has.
+    pub arm_count: u8,
+    /// How many [`Step::momentary`] statements it has.
+    pub momentary_count: u8,
+}
+
+impl Step {
+    /// Rows of [`Program::arms`](super::Program::arms): transitions that have this step as their first entrance step.
+    #[must_use]
+    #[inline(always)]
+    pub const fn arms(&self) -> Run {
+        Run {
+            start: self.first_arm,
+            len: self.arm_count as u16,
+        }
+    }
+
+    /// Rows of [`Program::momentary`](super::Program::momentary): statements that depend on no momentary variable.
+    #[must_use]
+    #[inline(always)]
+    pub const fn momentary(&self) -> Run {
+        Run {
+            start: self.first_momentary,
+            len: self.momentary_count as u16,
+        }
+    }
 }
 
 /// What a step does beside momentary actions.
@@ -94,24 +120,20 @@ pub struct Block {
 pub struct Arm {
     /// Row of [`Program::transitions`](super::Program::transitions).
     pub transition: u16,
-    /// Word of the image of the first term of all that the transition asks for beside that step.
-    pub word: u16,
-    /// The bits looked at.
-    pub mask: u32,
-    /// How they must stand.
-    pub state: u32,
+    /// Row of [`Program::terms`](super::Program::terms): the first term of all that the transition asks for beside that step.
+    pub term: u16,
 }
 
 /// A transition.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Transition {
-    /// When it fires while its first entrance step is active: the other entrance steps, and the trigger. The terms go
-    /// on behind the one in its [`Arm`].
-    pub fires: Condition,
-    /// What firing does to the situation.
-    pub crossing: Crossing,
-    /// Rows of [`Program::stored`](super::Program::stored): the `do` block.
-    pub actions: Run,
+    /// Row of [`Program::conditions`](super::Program::conditions): when it fires while its first entrance step is
+    /// active - the other entrance steps, and the trigger. The terms go on behind the one in its [`Arm`].
+    pub fires: u16,
+    /// Row of [`Program::crossings`](super::Program::crossings): what firing does to the situation.
+    pub crossing: u16,
+    /// Row of [`Program::do_blocks`](super::Program::do_blocks). Row 0 is that of a transition without one.
+    pub actions: u16,
 }
 
 /// The steps that a transition leaves and enters.
@@ -131,6 +153,14 @@ pub enum Crossing {
         /// Rows of [`Program::links`](super::Program::links): the exit steps.
         exit: Run,
     },
+}
+
+impl Crossing {
+    /// Stays where it is: what a row means that is not there, which no row of a checked program is.
+    pub(crate) const NONE: Crossing = Crossing::Within {
+        leaves: 0,
+        enters: 0,
+    };
 }
 
 /// A step that encloses a graph.
@@ -201,8 +231,8 @@ pub struct Event {
 pub struct Momentary {
     /// Rows of [`Program::targets`](super::Program::targets): the variables.
     pub targets: Run,
-    /// The condition behind `IF`.
-    pub condition: Condition,
+    /// Row of [`Program::conditions`](super::Program::conditions): the condition behind `IF`.
+    pub condition: u16,
 }
 
 /// Variables of one word of the image that become True together.

@@ -1,8 +1,7 @@
 //! Table by table, row by row.
 
 use crate::program::{
-    Assignment, Bit, Duties, Edges, Evolution, Forced, Momentary, Order, Program, Rest, Run, Seen,
-    Watch,
+    Assignment, Bit, Duties, Edges, Evolution, Forced, Momentary, Order, Program, Run, Seen, Watch,
 };
 
 impl Program<'_> {
@@ -33,8 +32,8 @@ impl Program<'_> {
         let mut i = 0;
         while i < self.steps.len() {
             let step = &self.steps[i];
-            let sound = step.arms.is_within(self.arms.len())
-                && step.momentary.is_within(self.momentary.len())
+            let sound = step.arms().is_within(self.arms.len())
+                && step.momentary().is_within(self.momentary.len())
                 && (step.duties as usize) < self.duties.len();
             if !sound {
                 return false;
@@ -195,6 +194,21 @@ impl Program<'_> {
         true
     }
 
+    /// Whether the first `do` block is none, and the others are statements that run when a situation changes.
+    pub(super) const fn do_blocks_are_sound(&self) -> bool {
+        let mut i = 0;
+        while i < self.do_blocks.len() {
+            let run = self.do_blocks[i];
+            if !run.is_within(self.stored.len())
+                || (run.len > 0 && (i == 0 || !self.stores_on_change))
+            {
+                return false;
+            }
+            i += 1;
+        }
+        true
+    }
+
     pub(super) const fn events_are_sound(&self) -> bool {
         let mut i = 0;
         while i < self.events.len() {
@@ -231,11 +245,9 @@ impl Program<'_> {
     }
 
     const fn statement_is_sound(&self, statement: &Momentary) -> bool {
-        let conditional =
-            statement.condition.terms.len > 0 || !matches!(statement.condition.rest, Rest::None);
-        if (conditional && !self.momentary_varies)
+        if (statement.condition > 0 && !self.momentary_varies)
             || !statement.targets.is_within(self.targets.len())
-            || !self.condition_is_sound(statement.condition)
+            || !self.condition_row_is_sound(statement.condition)
         {
             return false;
         }

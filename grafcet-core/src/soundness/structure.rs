@@ -73,7 +73,7 @@ impl Program<'_> {
             let mask = 1 << (i % 32);
             let block = &self.blocks[word];
             let duties = &self.duties[step.duties as usize];
-            if (step.momentary.len > 0) != (block.momentary & mask != 0)
+            if (step.momentary_count > 0) != (block.momentary & mask != 0)
                 || duties.activated.is_some() != (block.timed & mask != 0)
                 || (duties.stored.len > 0) != (block.stored & mask != 0)
                 || (duties.on_activation.len > 0) != (block.on_activation & mask != 0)
@@ -132,9 +132,7 @@ impl Program<'_> {
         while i < self.arms.len() {
             let arm = &self.arms[i];
             if arm.transition as usize >= self.transitions.len()
-                || arm.word >= self.layout.words
-                || arm.state & !arm.mask != 0
-                || !self.notes_reading(arm.word, arm.mask)
+                || arm.term as usize >= self.terms.len()
             {
                 return false;
             }
@@ -150,7 +148,7 @@ impl Program<'_> {
             let graph = &self.graphs[g];
             let mut place = 0;
             while place < graph.steps.len {
-                let arms = self.steps[graph.steps.start as usize + place as usize].arms;
+                let arms = self.steps[graph.steps.start as usize + place as usize].arms();
                 if !self.arms_are_of(graph, arms, Some(place)) {
                     return false;
                 }
@@ -168,9 +166,11 @@ impl Program<'_> {
         let mut i = arms.start as usize;
         while i < arms.end() {
             let row = self.arms[i].transition as usize;
-            if !graph.transitions.holds(row)
-                || !self.is_armed_by(graph, self.transitions[row].crossing, step)
-            {
+            if !graph.transitions.holds(row) {
+                return false;
+            }
+            let crossing = self.crossings[self.transitions[row].crossing as usize];
+            if !self.is_armed_by(graph, crossing, step) {
                 return false;
             }
             i += 1;
@@ -204,11 +204,11 @@ impl Program<'_> {
             let mut i = graph.transitions.start as usize;
             while i < graph.transitions.end() {
                 let transition = &self.transitions[i];
-                let sound = self.crossing_is_sound(graph, transition.crossing)
-                    && self.condition_is_sound(transition.fires)
+                let sound = (transition.crossing as usize) < self.crossings.len()
+                    && self.crossing_is_sound(graph, self.crossings[transition.crossing as usize])
+                    && self.condition_row_is_sound(transition.fires)
                     && (!self.crosses_at_once || self.sees_no_earlier(graph, transition))
-                    && transition.actions.is_within(self.stored.len())
-                    && (transition.actions.len == 0 || self.stores_on_change);
+                    && (transition.actions as usize) < self.do_blocks.len();
                 if !sound {
                     return false;
                 }
@@ -239,7 +239,8 @@ impl Program<'_> {
 
     /// Whether a transition reads no situation of an earlier graph, which has been exchanged by then.
     const fn sees_no_earlier(&self, graph: &Graph, transition: &Transition) -> bool {
-        let terms = transition.fires.terms;
+        let fires = self.conditions[transition.fires as usize];
+        let terms = fires.terms;
         let mut i = terms.start as usize;
         while i < terms.end() {
             if self.is_earlier(graph, self.terms[i].word) {
@@ -247,7 +248,7 @@ impl Program<'_> {
             }
             i += 1;
         }
-        if let Rest::Code(row) | Rest::Logic(row) = transition.fires.rest {
+        if let Rest::Code(row) | Rest::Logic(row) = fires.rest {
             let code = self.codes[row as usize];
             let mut i = code.start as usize;
             while i < code.start as usize + code.len as usize {
@@ -271,10 +272,10 @@ impl Program<'_> {
     pub(super) const fn arms_see_no_earlier(&self, graph: &Graph) -> bool {
         let mut i = graph.steps.start as usize;
         while i < graph.steps.end() {
-            let arms = self.steps[i].arms;
+            let arms = self.steps[i].arms();
             let mut j = arms.start as usize;
             while j < arms.end() {
-                if self.is_earlier(graph, self.arms[j].word) {
+                if self.is_earlier(graph, self.terms[self.arms[j].term as usize].word) {
                     return false;
                 }
                 j += 1;

@@ -162,7 +162,7 @@ fn join_all(together: &mut Together, these: &[usize], those: &[usize]) -> bool {
 
 fn firings(program: &Program<'_>, graph: &Graph) -> Vec<Firing> {
     let steps = program.steps.get(graph.steps.indices()).unwrap_or_default();
-    let runs = steps.iter().map(|step| step.arms).chain([graph.sources]);
+    let runs = steps.iter().map(|step| step.arms()).chain([graph.sources]);
     let arms: BTreeMap<usize, &Arm> = runs
         .flat_map(|run| run.of(program.arms))
         .map(|arm| (usize::from(arm.transition), arm))
@@ -173,7 +173,7 @@ fn firings(program: &Program<'_>, graph: &Graph) -> Vec<Firing> {
             row,
             leaves: local(graph, program.entrance_steps(graph, transition)),
             enters: local(graph, program.exit_steps(graph, transition)),
-            trigger: Trigger::of(program, arms.get(&row).copied(), &transition.fires),
+            trigger: Trigger::of(program, arms.get(&row).copied(), transition),
         })
     };
     graph.transitions.indices().filter_map(firing).collect()

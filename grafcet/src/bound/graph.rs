@@ -99,7 +99,7 @@ impl Acting<'_> {
     fn void(&self, place: usize, part: Part, cpu: Cpu) -> Work {
         let fired = match part {
             Part::End => 0,
-            Part::Scan | Part::Round => self.step(place).map_or(0, |step| step.arms.len),
+            Part::Scan | Part::Round => self.step(place).map_or(0, |step| step.arms().len),
         };
         self.look(place, part)
             + Work::of(self.rows.fire(), usize::from(fired))
@@ -118,7 +118,7 @@ impl Acting<'_> {
         };
         let rows = self.rows;
         let duties = rows.duties(step);
-        rows.visit(rows.arms(step.arms, true))
+        rows.visit(rows.arms(step.arms(), true))
             + rows.visit(duties.map_or(Work::NONE, |duties| rows.events(duties)))
     }
 
@@ -131,7 +131,7 @@ impl Acting<'_> {
         let duties = rows.duties(step);
         let orders = duties.map_or(Work::NONE, |it| rows.visit(rows.orders(it.orders)));
         let lasting = duties.map_or(Work::NONE, |it| rows.visit(rows.stored(it.stored)))
-            + rows.visit(rows.momentary(step.momentary));
+            + rows.visit(rows.momentary(step.momentary()));
         match part {
             Part::Scan => orders + lasting,
             Part::Round => orders,

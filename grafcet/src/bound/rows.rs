@@ -96,18 +96,21 @@ impl<'p> Rows<'p> {
     pub fn arms(self, run: Run, known: bool) -> Work {
         self.each(run, self.program.arms, known, |arm, known| {
             let transition = self.program.transitions.get(usize::from(arm.transition));
-            let condition = transition.map(|it| self.condition(&it.fires, known));
+            let condition =
+                transition.map(|it| self.condition(&self.program.condition(it.fires), known));
             Work::one(either(known, Kind::Arm, Kind::ArmLooped)) + condition.unwrap_or(Work::NONE)
         })
     }
 
     /// What the firing of a transition takes itself.
     pub fn firing(self, transition: &Transition) -> Work {
-        let links = match transition.crossing {
+        let links = match self.program.crossing(transition) {
             Crossing::Within { .. } => 0,
             Crossing::Across { entrance, exit } => usize::from(entrance.len + exit.len),
         };
-        Work::one(self.fire()) + Work::of(Kind::Link, links) + self.stored(transition.actions)
+        Work::one(self.fire())
+            + Work::of(Kind::Link, links)
+            + self.stored(self.program.do_block(transition))
     }
 
     /// The kind of a firing.
@@ -126,7 +129,7 @@ impl<'p> Rows<'p> {
     /// The condition and the variables of a momentary statement.
     pub fn shown(self, row: &Momentary, known: bool) -> Work {
         let target = |_: &_, known| Work::one(either(known, Kind::Target, Kind::TargetLooped));
-        self.condition(&row.condition, known)
+        self.condition(&self.program.condition(row.condition), known)
             + self.each(row.targets, self.program.targets, known, target)
     }
 
