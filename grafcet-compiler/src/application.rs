@@ -2,8 +2,8 @@
 
 use grafcet_core::program::{
     Arm, Bit, Block, Code, Condition, Crossing, Dependent, Duties, Edges, Enclosing, Event,
-    Evolution, Graph, Layout, Macro, Momentary, NumberRow, Op, Order, Program, Retained, Run, Slot,
-    Step, Stored, Target, Term, Timer, Transition, Watch,
+    Evolution, Graph, Layout, Macro, Masks, Momentary, NumberRow, Op, Order, Program, Retained,
+    Role, Run, Slot, Step, Stored, Target, Term, Timer, Transition, Watch,
 };
 
 use crate::ast::{DeclarationKind, Type};
@@ -45,15 +45,17 @@ pub struct Tables {
     pub reads_first_scan: bool,
     pub crosses_at_once: bool,
     pub graphs: Vec<Graph>,
+    pub roles: Vec<Role>,
     pub hierarchy: Vec<u16>,
     pub blocks: Vec<Block>,
+    pub masks: Vec<Masks>,
     pub steps: Vec<Step>,
     pub duties: Vec<Duties>,
     pub macros: Vec<Macro>,
     pub transitions: Vec<Transition>,
     pub crossings: Vec<Crossing>,
     pub do_blocks: Vec<Run>,
-    pub links: Vec<Bit>,
+    pub links: Vec<u16>,
     pub arms: Vec<Arm>,
     pub situations: Vec<u32>,
     pub enclosings: Vec<Enclosing>,
@@ -97,8 +99,10 @@ impl Tables {
             reads_first_scan: self.reads_first_scan,
             crosses_at_once: self.crosses_at_once,
             graphs: &self.graphs,
+            roles: &self.roles,
             hierarchy: &self.hierarchy,
             blocks: &self.blocks,
+            masks: &self.masks,
             steps: &self.steps,
             duties: &self.duties,
             macros: &self.macros,

@@ -33,7 +33,7 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
         let tables = self.tables;
         let program = tables.program();
         if program.stores_on_change {
-            self.for_each_fired(|engine, transition| {
+            self.for_each_fired(|engine, _, transition| {
                 let tables = engine.tables;
                 engine.run_stored(tables.program().do_block(transition));
             });
@@ -153,12 +153,14 @@ impl<P: Compiled, M: Memory> VisitSteps for Acting<'_, P, M> {
         let before = self.engine.memory.store.before().get(place);
         let before = before.copied().unwrap_or(0);
         let (activated, deactivated) = (now & !before, before & !now);
+        let tables = self.engine.tables;
+        let masks = tables.program().masks(block);
         match self.part {
-            Part::Activated => activated & block.timed,
-            Part::Stored => now & block.stored,
-            Part::OnActivation => activated & block.on_activation,
-            Part::OnDeactivation => deactivated & block.on_deactivation,
-            Part::OnEvent => before & block.on_event,
+            Part::Activated => activated & masks.timed,
+            Part::Stored => now & masks.stored,
+            Part::OnActivation => activated & masks.on_activation,
+            Part::OnDeactivation => deactivated & masks.on_deactivation,
+            Part::OnEvent => before & masks.on_event,
         }
     }
 

@@ -21,7 +21,7 @@ pub use expression::{
 pub use place::{Bit, Number, Run, Slot, Stamp};
 pub use rows::{
     Arm, Assignment, Block, Crossing, Dependent, Duties, Enclosing, Event, Forced, Graph, Macro,
-    Momentary, NumberRow, Order, Retained, Step, Stored, Target, Transition,
+    Masks, Momentary, NumberRow, Order, Retained, Role, Step, Stored, Target, Transition,
 };
 
 /// How a program evolves within a scan.
@@ -110,10 +110,14 @@ pub struct Program<'a> {
     pub crosses_at_once: bool,
     /// The graphs.
     pub graphs: &'a [Graph],
+    /// What few graphs have; row 0 is none of it.
+    pub roles: &'a [Role],
     /// Indices of the graphs in the order of phase 4: superiors first.
     pub hierarchy: &'a [u16],
     /// For each word of [`Layout::situations`], whose steps they are.
     pub blocks: &'a [Block],
+    /// Which steps of a word do something beside momentary actions.
+    pub masks: &'a [Masks],
     /// The steps of all graphs.
     pub steps: &'a [Step],
     /// What steps do beside momentary actions; row 0 does nothing.
@@ -126,8 +130,9 @@ pub struct Program<'a> {
     pub crossings: &'a [Crossing],
     /// Rows of `stored`: the `do` blocks of transitions; row 0 is empty.
     pub do_blocks: &'a [Run],
-    /// Runs of bits: entrances and exits of the transitions of graphs with more than 32 steps.
-    pub links: &'a [Bit],
+    /// Steps, counted from the first one of their graph: entrances and exits of the transitions of graphs with more than
+    /// 32 steps.
+    pub links: &'a [u16],
     /// Transitions: those that each step arms first, those of each graph without entrance.
     pub arms: &'a [Arm],
     /// Words of situations; a situation has as many as its graph.
@@ -245,11 +250,35 @@ impl Program<'_> {
         }
     }
 
+    /// What a graph is among others.
+    #[must_use]
+    #[inline(always)]
+    pub fn role(&self, graph: &Graph) -> &Role {
+        self.roles
+            .get(usize::from(graph.role))
+            .unwrap_or(&Role::NONE)
+    }
+
+    /// Which steps of a word do something beside momentary actions.
+    #[must_use]
+    #[inline(always)]
+    pub fn masks(&self, block: &Block) -> &Masks {
+        self.masks
+            .get(usize::from(block.masks))
+            .unwrap_or(&Masks::NONE)
+    }
+
+    /// The graph to which a row of the transitions belongs.
+    pub(crate) fn graph_of(&self, transition: usize) -> Option<&Graph> {
+        let starts = |graph: &Graph| usize::from(graph.transitions.start) <= transition;
+        let behind = self.graphs.partition_point(starts);
+        self.graphs.get(behind.checked_sub(1)?)
+    }
+
     fn steps_of(&self, graph: &Graph, mask: u32, links: Run) -> impl Iterator<Item = usize> + '_ {
-        let first_bit = usize::from(graph.words.start) * 32;
         let first_step = usize::from(graph.steps.start);
         let linked = links.of(self.links).iter();
-        let linked = linked.filter_map(move |bit| usize::from(bit.0).checked_sub(first_bit));
+        let linked = linked.map(|place| usize::from(*place));
         let places = set_bits_of(mask).chain(linked);
         places.map(move |place| first_step + place)
     }

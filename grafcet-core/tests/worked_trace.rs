@@ -2,8 +2,9 @@
 
 use grafcet_core::Engine;
 use grafcet_core::program::{
-    Arm, Bit, Block, Condition, Crossing, Duties, Edges, Evolution, Graph, Layout, Momentary,
-    NumberRow, Preset, Program, Rest, Run, Seen, Stamp, Step, Target, Term, Timer, Transition,
+    Arm, Bit, Block, Condition, Crossing, Duties, Edges, Evolution, Graph, Layout, Masks,
+    Momentary, NumberRow, Preset, Program, Rest, Role, Run, Seen, Stamp, Step, Target, Term, Timer,
+    Transition,
 };
 
 const A: Bit = Bit(32);
@@ -57,26 +58,21 @@ static PROGRAM: Program<'static> = Program {
     crosses_at_once: false,
     graphs: &[Graph {
         steps: run(0, 2),
-        words: run(2, 1),
+        first_word: 2,
         transitions: run(0, 2),
-        sources: Run::EMPTY,
         initial: 0,
-        enclosings: Run::EMPTY,
-        orders: Run::EMPTY,
-        self_orders: Run::EMPTY,
-        watches: Run::EMPTY,
-        self_watches: Run::EMPTY,
+        role: 0,
     }],
+    roles: &[Role::NONE],
     hierarchy: &[0],
     blocks: &[Block {
         first: 0,
+        masks: 0,
         momentary: 0b10,
+    }],
+    masks: &[Masks {
         timed: 0b10,
-        stored: 0,
-        on_activation: 0,
-        on_deactivation: 0,
-        on_event: 0,
-        forcing: 0,
+        ..Masks::NONE
     }],
     steps: &[
         Step {

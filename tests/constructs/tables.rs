@@ -58,6 +58,7 @@ pub fn look(program: &Program<'_>, seen: &mut Seen) {
 
 fn features(program: &Program<'_>) -> [(&'static str, bool); 22] {
     let (graphs, steps, duties) = (program.graphs, program.steps, program.duties);
+    let roles = program.roles;
     let retained = |number: bool| {
         let rows = program.retained.iter();
         rows.filter(|row| matches!(row.slot, Slot::Number(_)) == number)
@@ -70,19 +71,16 @@ fn features(program: &Program<'_>) -> [(&'static str, bool); 22] {
         ("order of a step", duties.iter().any(|it| it.orders.len > 0)),
         (
             "order of a stand-alone action",
-            graphs.iter().any(|it| it.orders.len > 0),
+            roles.iter().any(|it| it.orders.len > 0),
         ),
         (
             "order on itself",
-            graphs.iter().any(|it| it.self_orders.len > 0),
+            roles.iter().any(|it| it.self_orders.len > 0),
         ),
-        (
-            "watch of orders",
-            graphs.iter().any(|it| it.watches.len > 0),
-        ),
+        ("watch of orders", roles.iter().any(|it| it.watches.len > 0)),
         (
             "watch of orders on itself",
-            graphs.iter().any(|it| it.self_watches.len > 0),
+            roles.iter().any(|it| it.self_watches.len > 0),
         ),
         ("watch of triggers", program.trigger_watches.len > 0),
         ("watch of rounds", program.round_watches.len > 0),
@@ -93,7 +91,7 @@ fn features(program: &Program<'_>) -> [(&'static str, bool); 22] {
         ),
         (
             "situation of several words",
-            graphs.iter().any(|it| it.words.len > 1),
+            graphs.iter().any(|it| it.words().len > 1),
         ),
         (
             "macro timed",

@@ -34,7 +34,7 @@ pub(super) fn crosses_at_once(tables: &Tables) -> bool {
     tables.sources.is_empty()
         && tables.links.is_empty()
         && tables.graphs.iter().all(|graph| {
-            let earlier = first..graph.words.start;
+            let earlier = first..graph.first_word;
             let arms =
                 rows(&tables.steps, graph.steps).flat_map(|step| rows(&tables.arms, step.arms()));
             let terms = arms.filter_map(|arm| tables.terms.get(usize::from(arm.term)));

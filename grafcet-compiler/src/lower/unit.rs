@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use grafcet_core::program::{
-    Bit, Crossing, Dependent, Enclosing, Event, Evolution, Momentary, Order, Run, Stamp, Stored,
+    Crossing, Dependent, Enclosing, Event, Evolution, Momentary, Order, Run, Stamp, Stored,
     Transition,
 };
 
@@ -45,7 +45,7 @@ pub(super) struct Lowering<'m> {
 /// Rows that refer to what lies in other tables.
 #[derive(Default)]
 pub(super) struct Rows {
-    pub links: Vec<Bit>,
+    pub links: Shared<u16>,
     pub situations: Vec<u32>,
     pub stored: Vec<Stored>,
     pub events: Vec<Event>,
@@ -186,8 +186,10 @@ impl<'m> Lowering<'m> {
             reads_first_scan: false,
             crosses_at_once: false,
             graphs: structure.graphs,
+            roles: structure.roles,
             hierarchy: structure.hierarchy,
             blocks: structure.blocks,
+            masks: structure.masks,
             steps: structure.steps,
             lasting_in_steps: structure.duties.iter().any(|row| row.stored.len > 0),
             momentary_varies: !rows.dependent.is_empty()
@@ -202,7 +204,7 @@ impl<'m> Lowering<'m> {
             transitions: rows.transitions,
             crossings: rows.crossings.rows,
             do_blocks: rows.do_blocks.rows,
-            links: rows.links,
+            links: rows.links.rows,
             arms: structure.arms,
             sources: structure.sources,
             situations: rows.situations,

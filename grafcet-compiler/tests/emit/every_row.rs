@@ -12,7 +12,9 @@ use grafcet_core::program::{
     Slot, Stamp, Stored, Target, Term, Timer, Unit as PresetUnit, Watch,
 };
 
-use self::structure::{across, arm, block, duties, graphs, step, transition, within};
+use self::structure::{
+    BLOCKS, across, arm, blocks, duties, graphs, masks, roles, step, transition, within,
+};
 
 #[path = "structure.rs"]
 mod structure;
@@ -150,10 +152,10 @@ fn tables() -> Tables {
         reads_first_scan: true,
         crosses_at_once: false,
         graphs: graphs(),
+        roles: roles(),
         hierarchy: vec![0, 1, 2],
-        blocks: [(0, 0b111), (3, 0b1), (4, u32::MAX), (36, 0b1)]
-            .map(block)
-            .to_vec(),
+        blocks: blocks(),
+        masks: BLOCKS.map(masks).to_vec(),
         steps: (0..37).map(step).collect(),
         duties: duties(),
         macros: vec![Macro {
@@ -177,7 +179,7 @@ fn tables() -> Tables {
             across(1, 0),
         ],
         do_blocks: vec![Run::EMPTY, run(1, 1)],
-        links: vec![Bit(128), Bit(160)],
+        links: vec![0, 32],
         arms: (0..5).map(arm).collect(),
         situations: vec![0b001, 0b1, 0b101, 0b1, 0b0],
         enclosings: vec![Enclosing {

@@ -1,43 +1,59 @@
 //! The graphs of that controller.
 
-use grafcet_core::program::{Arm, Block, Crossing, Duties, Graph, Run, Stamp, Step, Transition};
+use grafcet_core::program::{
+    Arm, Block, Crossing, Duties, Graph, Masks, Role, Run, Stamp, Step, Transition,
+};
 
 use super::run;
 
 /// Three steps, one step without an entrance, 33 steps.
 pub fn graphs() -> Vec<Graph> {
-    let graph = |steps, words, transitions, initial| Graph {
+    let graph = |steps, first_word, transitions, initial, role| Graph {
         steps,
-        words,
+        first_word,
         transitions,
-        sources: Run::EMPTY,
         initial,
-        enclosings: Run::EMPTY,
-        orders: Run::EMPTY,
-        self_orders: Run::EMPTY,
-        watches: Run::EMPTY,
-        self_watches: Run::EMPTY,
+        role,
     };
     vec![
-        Graph {
-            self_orders: run(1, 1),
-            ..graph(run(0, 3), run(2, 1), run(0, 2), 0)
-        },
-        Graph {
-            sources: run(2, 1),
-            enclosings: run(0, 1),
-            ..graph(run(3, 1), run(3, 1), run(2, 1), 1)
-        },
-        graph(run(4, 33), run(4, 2), run(3, 2), 3),
+        graph(run(0, 3), 2, run(0, 2), 0, 1),
+        graph(run(3, 1), 3, run(2, 1), 1, 2),
+        graph(run(4, 33), 4, run(3, 2), 3, 0),
     ]
 }
 
-pub fn block((first, steps): (u16, u32)) -> Block {
+pub fn roles() -> Vec<Role> {
+    vec![
+        Role::NONE,
+        Role {
+            self_orders: run(1, 1),
+            ..Role::NONE
+        },
+        Role {
+            sources: run(2, 1),
+            enclosings: run(0, 1),
+            ..Role::NONE
+        },
+    ]
+}
+
+/// The steps of each word; there is a row of the masks for each.
+pub const BLOCKS: [(u16, u32); 4] = [(0, 0b111), (3, 0b1), (4, u32::MAX), (36, 0b1)];
+
+pub fn blocks() -> Vec<Block> {
+    let blocks = BLOCKS.iter().zip(0..);
+    let block = |((first, momentary), masks): (&(u16, u32), u16)| Block {
+        first: *first,
+        masks,
+        momentary: *momentary,
+    };
+    blocks.map(block).collect()
+}
+
+pub fn masks((first, steps): (u16, u32)) -> Masks {
     // The third step only forces.
     let act = if first == 0 { steps & !0b100 } else { steps };
-    Block {
-        first,
-        momentary: steps,
+    Masks {
         timed: act,
         stored: act,
         on_activation: act,

@@ -15,7 +15,7 @@ mod watches;
 use grafcet_compiler::application::{Application, Tables};
 use grafcet_compiler::render::{Style, render};
 use grafcet_compiler::{Target, compile};
-use grafcet_core::program::{Condition, Op, Rest, Term};
+use grafcet_core::program::{Condition, Op, Rest, Role, Term};
 
 /// The application that a text becomes.
 fn application(text: &str) -> Application {
@@ -44,6 +44,11 @@ fn graph(elements: &str) -> Tables {
         "input a, b, c\noutput M, N, O\nvar n, m : int\nvar t : time\nparameter p : time = 1s\n\
          graph G {{\n{elements}\n}}"
     ))
+}
+
+/// What a graph is among others.
+fn role(tables: &Tables, graph: usize) -> Role {
+    *tables.program().role(&tables.graphs[graph])
 }
 
 /// A row of the conditions.

@@ -1,6 +1,8 @@
 //! Rows that are asked for again are there once.
 
+use grafcet_core::Engine;
 use grafcet_core::program::{Condition, Crossing, Run, Target};
+use grafcet_core::vectors::Vectors;
 
 use crate::{graph, tables};
 
@@ -111,11 +113,46 @@ fn what_steps_do_alike_is_one_row_and_nothing_is_the_first() {
     let duties: Vec<u16> = tables.steps.iter().map(|step| step.duties).collect();
     assert_eq!(duties, [0, 0, 1, 0, 2]);
     assert_eq!(tables.duties.len(), 3);
-    assert_eq!(
-        (tables.blocks[0].timed, tables.blocks[0].stored),
-        (0b00100, 0b10000)
-    );
+    let masks = tables.masks[usize::from(tables.blocks[0].masks)];
+    assert_eq!((masks.timed, masks.stored), (0b00100, 0b10000));
     assert_eq!(tables.blocks[0].momentary, 0b00010);
+}
+
+#[test]
+fn a_step_without_statements_has_the_first_row_behind_others_too() {
+    let tables = graph(
+        "initial step 1 { n = 1; on event ↑a { n = 2 } }; step 2\n\
+         transition 1: 1 -> 2 when a do { n = 3 }; transition 2: 2 -> 1 when a",
+    );
+    assert_eq!(tables.steps[1].duties, 0);
+    assert_eq!(tables.transitions[1].actions, 0);
+}
+
+#[test]
+fn large_graphs_that_are_alike_share_their_links_and_each_goes_its_own_way() {
+    let large = |name: &str, input: &str| {
+        let chain = (2..=40).map(|step| {
+            let before = step - 1;
+            format!("step {step}; transition {step}: {before} -> {step} when {input}\n")
+        });
+        let chain: String = chain.collect();
+        format!("graph {name} {{ initial step 1\n{chain} }}\n")
+    };
+    let graphs = [("G", "a"), ("H", "b"), ("I", "a")].map(|(name, input)| large(name, input));
+    let tables = tables(&format!("input a, b\n{}", graphs.concat()));
+    assert_eq!((tables.crossings.len(), tables.links.len()), (39, 40));
+    let program = tables.program();
+    let mut engine = Engine::new(&program, Vectors::new(&program));
+    engine.start();
+    let inputs = [0b01, 0b01, 0b10, 0b11];
+    let active = inputs.iter().zip(1..).map(|(inputs, scan)| {
+        engine.set_inputs(0, *inputs);
+        engine.scan(scan * 10);
+        [0, 1, 2].map(|graph| engine.active_steps(graph).map(|step| step % 40).collect())
+    });
+    let active: Vec<[Vec<usize>; 3]> = active.collect();
+    let expected = [[1, 0, 1], [2, 0, 2], [2, 1, 2], [3, 2, 3]];
+    assert_eq!(active, expected.map(|steps| steps.map(|step| vec![step])));
 }
 
 #[test]
@@ -144,7 +181,7 @@ fn a_graph_of_one_word_needs_no_links() {
         large.program().crossing(&large.transitions[0]),
         Crossing::Across { .. }
     ));
-    assert_eq!(large.links.len(), 64);
+    assert_eq!(large.links.len(), 33);
     let firsts: Vec<u16> = large.blocks.iter().map(|block| block.first).collect();
     assert_eq!(firsts, [0, 32]);
 }

@@ -28,35 +28,46 @@ pub static PROGRAM: Program<'static> = Program {
     graphs: &[
         Graph {
             steps: Run { start: 0, len: 3 },
-            words: Run { start: 2, len: 1 },
+            first_word: 2,
             transitions: Run { start: 0, len: 2 },
-            sources: Run::EMPTY,
             initial: 0,
+            role: 1,
+        },
+        Graph {
+            steps: Run { start: 3, len: 1 },
+            first_word: 3,
+            transitions: Run { start: 2, len: 1 },
+            initial: 1,
+            role: 2,
+        },
+        Graph {
+            steps: Run { start: 4, len: 33 },
+            first_word: 4,
+            transitions: Run { start: 3, len: 2 },
+            initial: 3,
+            role: 0,
+        },
+    ],
+    roles: &[
+        Role {
+            sources: Run::EMPTY,
+            enclosings: Run::EMPTY,
+            orders: Run::EMPTY,
+            self_orders: Run::EMPTY,
+            watches: Run::EMPTY,
+            self_watches: Run::EMPTY,
+        },
+        Role {
+            sources: Run::EMPTY,
             enclosings: Run::EMPTY,
             orders: Run::EMPTY,
             self_orders: Run { start: 1, len: 1 },
             watches: Run::EMPTY,
             self_watches: Run::EMPTY,
         },
-        Graph {
-            steps: Run { start: 3, len: 1 },
-            words: Run { start: 3, len: 1 },
-            transitions: Run { start: 2, len: 1 },
+        Role {
             sources: Run { start: 2, len: 1 },
-            initial: 1,
             enclosings: Run { start: 0, len: 1 },
-            orders: Run::EMPTY,
-            self_orders: Run::EMPTY,
-            watches: Run::EMPTY,
-            self_watches: Run::EMPTY,
-        },
-        Graph {
-            steps: Run { start: 4, len: 33 },
-            words: Run { start: 4, len: 2 },
-            transitions: Run { start: 3, len: 2 },
-            sources: Run::EMPTY,
-            initial: 3,
-            enclosings: Run::EMPTY,
             orders: Run::EMPTY,
             self_orders: Run::EMPTY,
             watches: Run::EMPTY,
@@ -67,7 +78,27 @@ pub static PROGRAM: Program<'static> = Program {
     blocks: &[
         Block {
             first: 0,
+            masks: 0,
             momentary: 7,
+        },
+        Block {
+            first: 3,
+            masks: 1,
+            momentary: 1,
+        },
+        Block {
+            first: 4,
+            masks: 2,
+            momentary: 4294967295,
+        },
+        Block {
+            first: 36,
+            masks: 3,
+            momentary: 1,
+        },
+    ],
+    masks: &[
+        Masks {
             timed: 3,
             stored: 3,
             on_activation: 3,
@@ -75,9 +106,7 @@ pub static PROGRAM: Program<'static> = Program {
             on_event: 3,
             forcing: 4,
         },
-        Block {
-            first: 3,
-            momentary: 1,
+        Masks {
             timed: 1,
             stored: 1,
             on_activation: 1,
@@ -85,9 +114,7 @@ pub static PROGRAM: Program<'static> = Program {
             on_event: 1,
             forcing: 0,
         },
-        Block {
-            first: 4,
-            momentary: 4294967295,
+        Masks {
             timed: 4294967295,
             stored: 4294967295,
             on_activation: 4294967295,
@@ -95,9 +122,7 @@ pub static PROGRAM: Program<'static> = Program {
             on_event: 4294967295,
             forcing: 0,
         },
-        Block {
-            first: 36,
-            momentary: 1,
+        Masks {
             timed: 1,
             stored: 1,
             on_activation: 1,
@@ -451,7 +476,7 @@ pub static PROGRAM: Program<'static> = Program {
         },
     ],
     do_blocks: &[Run::EMPTY, Run { start: 1, len: 1 }],
-    links: &[Bit(128), Bit(160)],
+    links: &[0, 32],
     arms: &[
         Arm { transition: 0, term: 1 },
         Arm { transition: 1, term: 2 },
@@ -950,35 +975,46 @@ pub static PLANTS: [PlantTables; 1] = [
             graphs: &[
                 Graph {
                     steps: Run { start: 0, len: 3 },
-                    words: Run { start: 2, len: 1 },
+                    first_word: 2,
                     transitions: Run { start: 0, len: 2 },
-                    sources: Run::EMPTY,
                     initial: 0,
+                    role: 1,
+                },
+                Graph {
+                    steps: Run { start: 3, len: 1 },
+                    first_word: 3,
+                    transitions: Run { start: 2, len: 1 },
+                    initial: 1,
+                    role: 2,
+                },
+                Graph {
+                    steps: Run { start: 4, len: 33 },
+                    first_word: 4,
+                    transitions: Run { start: 3, len: 2 },
+                    initial: 3,
+                    role: 0,
+                },
+            ],
+            roles: &[
+                Role {
+                    sources: Run::EMPTY,
+                    enclosings: Run::EMPTY,
+                    orders: Run::EMPTY,
+                    self_orders: Run::EMPTY,
+                    watches: Run::EMPTY,
+                    self_watches: Run::EMPTY,
+                },
+                Role {
+                    sources: Run::EMPTY,
                     enclosings: Run::EMPTY,
                     orders: Run::EMPTY,
                     self_orders: Run { start: 1, len: 1 },
                     watches: Run::EMPTY,
                     self_watches: Run::EMPTY,
                 },
-                Graph {
-                    steps: Run { start: 3, len: 1 },
-                    words: Run { start: 3, len: 1 },
-                    transitions: Run { start: 2, len: 1 },
+                Role {
                     sources: Run { start: 2, len: 1 },
-                    initial: 1,
                     enclosings: Run { start: 0, len: 1 },
-                    orders: Run::EMPTY,
-                    self_orders: Run::EMPTY,
-                    watches: Run::EMPTY,
-                    self_watches: Run::EMPTY,
-                },
-                Graph {
-                    steps: Run { start: 4, len: 33 },
-                    words: Run { start: 4, len: 2 },
-                    transitions: Run { start: 3, len: 2 },
-                    sources: Run::EMPTY,
-                    initial: 3,
-                    enclosings: Run::EMPTY,
                     orders: Run::EMPTY,
                     self_orders: Run::EMPTY,
                     watches: Run::EMPTY,
@@ -989,7 +1025,27 @@ pub static PLANTS: [PlantTables; 1] = [
             blocks: &[
                 Block {
                     first: 0,
+                    masks: 0,
                     momentary: 7,
+                },
+                Block {
+                    first: 3,
+                    masks: 1,
+                    momentary: 1,
+                },
+                Block {
+                    first: 4,
+                    masks: 2,
+                    momentary: 4294967295,
+                },
+                Block {
+                    first: 36,
+                    masks: 3,
+                    momentary: 1,
+                },
+            ],
+            masks: &[
+                Masks {
                     timed: 3,
                     stored: 3,
                     on_activation: 3,
@@ -997,9 +1053,7 @@ pub static PLANTS: [PlantTables; 1] = [
                     on_event: 3,
                     forcing: 4,
                 },
-                Block {
-                    first: 3,
-                    momentary: 1,
+                Masks {
                     timed: 1,
                     stored: 1,
                     on_activation: 1,
@@ -1007,9 +1061,7 @@ pub static PLANTS: [PlantTables; 1] = [
                     on_event: 1,
                     forcing: 0,
                 },
-                Block {
-                    first: 4,
-                    momentary: 4294967295,
+                Masks {
                     timed: 4294967295,
                     stored: 4294967295,
                     on_activation: 4294967295,
@@ -1017,9 +1069,7 @@ pub static PLANTS: [PlantTables; 1] = [
                     on_event: 4294967295,
                     forcing: 0,
                 },
-                Block {
-                    first: 36,
-                    momentary: 1,
+                Masks {
                     timed: 1,
                     stored: 1,
                     on_activation: 1,
@@ -1373,7 +1423,7 @@ pub static PLANTS: [PlantTables; 1] = [
                 },
             ],
             do_blocks: &[Run::EMPTY, Run { start: 1, len: 1 }],
-            links: &[Bit(128), Bit(160)],
+            links: &[0, 32],
             arms: &[
                 Arm { transition: 0, term: 1 },
                 Arm { transition: 1, term: 2 },

@@ -7,14 +7,33 @@ use super::{Bit, Code, Condition, Number, Run, Slot, Stamp};
 pub struct Graph {
     /// Rows of [`Program::steps`](super::Program::steps). Step `i` of the run is bit `i` of the graph's situation words.
     pub steps: Run,
-    /// Words of the image with the situation, used by this graph alone.
-    pub words: Run,
+    /// The first of [`Graph::words`].
+    pub first_word: u16,
     /// Rows of [`Program::transitions`](super::Program::transitions).
     pub transitions: Run,
-    /// Rows of [`Program::arms`](super::Program::arms): its transitions without entrance steps.
-    pub sources: Run,
     /// First word in [`Program::situations`](super::Program::situations) of the initial situation.
     pub initial: u16,
+    /// Row of [`Program::roles`](super::Program::roles): what few graphs have. Row 0 is that of a graph that has none of it.
+    pub role: u16,
+}
+
+impl Graph {
+    /// Words of the image with the situation, used by this graph alone: as many as its steps need.
+    #[must_use]
+    #[inline(always)]
+    pub const fn words(&self) -> Run {
+        Run {
+            start: self.first_word,
+            len: self.steps.len.div_ceil(32),
+        }
+    }
+}
+
+/// What a graph is among others: what encloses it, what its stand-alone actions force; and what it begins by itself.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Role {
+    /// Rows of [`Program::arms`](super::Program::arms): its transitions without entrance steps.
+    pub sources: Run,
     /// Rows of [`Program::enclosings`](super::Program::enclosings): the steps that enclose this graph; empty for a graph of its own.
     pub enclosings: Run,
     /// Rows of [`Program::orders`](super::Program::orders): forcing by its stand-alone actions, other graphs only.
@@ -25,6 +44,18 @@ pub struct Graph {
     pub watches: Run,
     /// Rows of [`Program::watches`](super::Program::watches): edges and timers in the conditions of its self-forcing.
     pub self_watches: Run,
+}
+
+impl Role {
+    /// A graph of its own that forces none and has no transition without entrance.
+    pub const NONE: Role = Role {
+        sources: Run::EMPTY,
+        enclosings: Run::EMPTY,
+        orders: Run::EMPTY,
+        self_orders: Run::EMPTY,
+        watches: Run::EMPTY,
+        self_watches: Run::EMPTY,
+    };
 }
 
 /// A step: what it arms and what it does.
@@ -99,8 +130,15 @@ pub struct Macro {
 pub struct Block {
     /// Row of [`Program::steps`](super::Program::steps): the step that is the lowest bit.
     pub first: u16,
+    /// Row of [`Program::masks`](super::Program::masks): which of its steps do something beside momentary actions.
+    pub masks: u16,
     /// The steps that have momentary actions.
     pub momentary: u32,
+}
+
+/// Which steps of a word do something beside momentary actions.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Masks {
     /// The steps whose time of activation is kept.
     pub timed: u32,
     /// The steps that have stored statements without `on`.
@@ -113,6 +151,18 @@ pub struct Block {
     pub on_event: u32,
     /// The steps that force.
     pub forcing: u32,
+}
+
+impl Masks {
+    /// None does anything.
+    pub const NONE: Masks = Masks {
+        timed: 0,
+        stored: 0,
+        on_activation: 0,
+        on_deactivation: 0,
+        on_event: 0,
+        forcing: 0,
+    };
 }
 
 /// A transition as its first entrance step sees it: armed, unless its first term says otherwise.

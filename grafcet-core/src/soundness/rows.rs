@@ -1,7 +1,8 @@
 //! Table by table, row by row.
 
 use crate::program::{
-    Assignment, Bit, Duties, Edges, Evolution, Forced, Momentary, Order, Program, Run, Seen, Watch,
+    Assignment, Bit, Duties, Edges, Evolution, Forced, Momentary, Order, Program, Role, Run, Seen,
+    Watch,
 };
 
 impl Program<'_> {
@@ -17,10 +18,18 @@ impl Program<'_> {
         self.numbers.len() == self.layout.numbers as usize
     }
 
-    pub(super) const fn links_are_sound(&self) -> bool {
+    /// Whether roles stay within their tables, and the first is none.
+    pub(super) const fn roles_are_sound(&self) -> bool {
         let mut i = 0;
-        while i < self.links.len() {
-            if !self.bit_is_sound(self.links[i]) {
+        while i < self.roles.len() {
+            let role = &self.roles[i];
+            let sound = role.sources.is_within(self.arms.len())
+                && role.enclosings.is_within(self.enclosings.len())
+                && role.orders.is_within(self.orders.len())
+                && role.self_orders.is_within(self.orders.len())
+                && role.watches.is_within(self.watches.len())
+                && role.self_watches.is_within(self.watches.len());
+            if !sound || (i == 0 && is_one(role)) {
                 return false;
             }
             i += 1;
@@ -99,8 +108,9 @@ impl Program<'_> {
         let mut g = 0;
         while g < self.graphs.len() {
             let graph = &self.graphs[g];
-            let mut i = graph.enclosings.start as usize;
-            while i < graph.enclosings.end() {
+            let enclosings = self.roles[graph.role as usize].enclosings;
+            let mut i = enclosings.start as usize;
+            while i < enclosings.end() {
                 let enclosing = &self.enclosings[i];
                 let at_start = match enclosing.at_start {
                     Some(set) => self.situation_is_sound(graph, set),
@@ -129,7 +139,8 @@ impl Program<'_> {
         let mut g = 0;
         while g < self.graphs.len() {
             let graph = &self.graphs[g];
-            if !self.orders_are_by(graph.orders, g) || !self.orders_are_by(graph.self_orders, g) {
+            let role = &self.roles[graph.role as usize];
+            if !self.orders_are_by(role.orders, g) || !self.orders_are_by(role.self_orders, g) {
                 return false;
             }
             let mut i = graph.steps.start as usize;
@@ -140,7 +151,7 @@ impl Program<'_> {
                 }
                 i += 1;
             }
-            let own = graph.self_orders;
+            let own = role.self_orders;
             let mut i = own.start as usize;
             while i < own.end() {
                 if self.orders[i].graph as usize != g {
@@ -380,6 +391,15 @@ impl Program<'_> {
         }
         true
     }
+}
+
+const fn is_one(role: &Role) -> bool {
+    role.sources.len > 0
+        || role.enclosings.len > 0
+        || role.orders.len > 0
+        || role.self_orders.len > 0
+        || role.watches.len > 0
+        || role.self_watches.len > 0
 }
 
 const fn does_something(row: &Duties) -> bool {

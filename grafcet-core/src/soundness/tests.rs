@@ -172,8 +172,8 @@ fn what_a_program_says_it_never_does_no_row_of_it_does() {
     }
     // The `do` block of a transition alone, and the condition of an independent statement alone.
     let duties = changed(GOOD.duties, |rows| rows[2].on_deactivation = Run::EMPTY);
-    let blocks = changed(GOOD.blocks, |rows| rows[0].on_deactivation = 0);
-    program_refused! { stores_on_change = false, duties = &duties, blocks = &blocks => DoBlocks; }
+    let masks = changed(GOOD.masks, |rows| rows[1].on_deactivation = 0);
+    program_refused! { stores_on_change = false, duties = &duties, masks = &masks => DoBlocks; }
     let momentary = changed(GOOD.momentary, |rows| rows[0].condition = 2);
     program_refused! { momentary_varies = false, dependent = &[], momentary = &momentary => Momentary; }
 }

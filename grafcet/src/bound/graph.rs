@@ -40,7 +40,8 @@ impl Acting<'_> {
     /// Whether it ever does anything but look whether it is alive.
     pub fn can_be_active(&self) -> bool {
         let steps = &self.activity.steps;
-        self.graph.sources.len > 0 || (0..steps.size()).any(|step| steps.are(step, step))
+        self.rows.program.role(self.graph).sources.len > 0
+            || (0..steps.size()).any(|step| steps.are(step, step))
     }
 
     /// The most that it takes on a processor.
@@ -52,7 +53,7 @@ impl Acting<'_> {
         // When its own evolution is void, it stays what it was or takes what it is given.
         let void = self.heaviest(cpu, |place| self.void(place, part, cpu));
         let given = self.activity.given.iter().map(|set| {
-            let words = Work::of(Kind::Given, usize::from(self.graph.words.len));
+            let words = Work::of(Kind::Given, usize::from(self.graph.words().len));
             words + set.iter().map(|place| self.enter(*place, part)).sum()
         });
         let given = given.fold(Work::NONE, |most, set| most.or(set, cpu));
@@ -176,7 +177,9 @@ impl Acting<'_> {
         let firings = self.activity.firings.iter().enumerate();
         let own = firings.filter(|(_, firing)| firing.leaves.is_empty());
         let own: Vec<usize> = own.map(|(at, _)| at).collect();
-        self.rows.arms(self.graph.sources, false) + self.together(&own, part, cpu)
+        self.rows
+            .arms(self.rows.program.role(self.graph).sources, false)
+            + self.together(&own, part, cpu)
     }
 
     fn together(&self, firings: &[usize], part: Part, cpu: Cpu) -> Work {

@@ -106,7 +106,11 @@ impl<'p> Rows<'p> {
     pub fn firing(self, transition: &Transition) -> Work {
         let links = match self.program.crossing(transition) {
             Crossing::Within { .. } => 0,
-            Crossing::Across { entrance, exit } => usize::from(entrance.len + exit.len),
+            // Their graph is searched for by halves, which takes less for both than a link.
+            Crossing::Across { entrance, exit } => {
+                let halves = self.program.graphs.len().max(1).ilog2() as usize + 1;
+                usize::from(entrance.len + exit.len) + halves
+            }
         };
         Work::one(self.fire())
             + Work::of(Kind::Link, links)
@@ -184,14 +188,15 @@ impl<'p> Rows<'p> {
     /// What a graph has to do in the hierarchy whatever it is in.
     pub fn standing(self, graph: &Graph) -> Work {
         // Of a graph without steps little is left, even in a loop.
-        let known = self.has_one_graph() || graph.words.len == 0;
+        let (words, role) = (graph.words().len, self.program.role(graph));
+        let known = self.has_one_graph() || words == 0;
         Work::one(either(known, Kind::Graph, Kind::GraphLooped))
-            + Work::of(Kind::Ordered, usize::from(graph.words.len))
-            + Work::of(Kind::Enclosing, usize::from(graph.enclosings.len))
-            + self.watches(graph.self_watches, self.has_one_graph())
-            + self.watches(graph.watches, self.has_one_graph())
-            + self.orders(graph.self_orders)
-            + self.orders(graph.orders)
+            + Work::of(Kind::Ordered, usize::from(words))
+            + Work::of(Kind::Enclosing, usize::from(role.enclosings.len))
+            + self.watches(role.self_watches, self.has_one_graph())
+            + self.watches(role.watches, self.has_one_graph())
+            + self.orders(role.self_orders)
+            + self.orders(role.orders)
     }
 
     fn has_one_graph(self) -> bool {

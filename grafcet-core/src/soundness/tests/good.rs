@@ -2,9 +2,9 @@
 
 use crate::program::{
     Arm, Assignment, Bit, Block, Code, Condition, Crossing, Dependent, Duties, Edge, Edges,
-    Enclosing, Event, Evolution, Forced, Graph, Layout, Macro, Momentary, Number, NumberRow, Op,
-    Order, Preset, Program, Rest, Retained, Run, Seen, Slot, Stamp, Step, Stored, Target, Term,
-    Timer, Transition, Unit, Watch,
+    Enclosing, Event, Evolution, Forced, Graph, Layout, Macro, Masks, Momentary, Number, NumberRow,
+    Op, Order, Preset, Program, Rest, Retained, Role, Run, Seen, Slot, Stamp, Step, Stored, Target,
+    Term, Timer, Transition, Unit, Watch,
 };
 
 pub(super) const fn run(start: u16, len: u16) -> Run {
@@ -52,15 +52,10 @@ const NOTHING: Duties = Duties {
 
 const GRAPH: Graph = Graph {
     steps: Run::EMPTY,
-    words: Run::EMPTY,
+    first_word: 0,
     transitions: Run::EMPTY,
-    sources: Run::EMPTY,
     initial: 0,
-    enclosings: Run::EMPTY,
-    orders: Run::EMPTY,
-    self_orders: Run::EMPTY,
-    watches: Run::EMPTY,
-    self_watches: Run::EMPTY,
+    role: 0,
 };
 
 const fn arm(transition: u16) -> Arm {
@@ -73,13 +68,8 @@ const fn arm(transition: u16) -> Arm {
 const fn block(first: u16) -> Block {
     Block {
         first,
+        masks: 0,
         momentary: 0,
-        timed: 0,
-        stored: 0,
-        on_activation: 0,
-        on_deactivation: 0,
-        on_event: 0,
-        forcing: 0,
     }
 }
 
@@ -158,34 +148,52 @@ pub(super) const GOOD: Program<'static> = Program {
     graphs: &[
         Graph {
             steps: run(0, 3),
-            words: run(2, 1),
+            first_word: 2,
             transitions: run(0, 2),
             initial: 0,
-            self_orders: run(1, 1),
-            ..GRAPH
+            role: 1,
         },
         Graph {
             steps: run(3, 1),
-            words: run(3, 1),
+            first_word: 3,
             transitions: run(2, 1),
-            sources: run(2, 1),
             initial: 1,
-            enclosings: run(0, 1),
-            ..GRAPH
+            role: 2,
         },
         Graph {
             steps: run(4, 33),
-            words: run(4, 2),
+            first_word: 4,
             transitions: run(3, 2),
             initial: 3,
             ..GRAPH
+        },
+    ],
+    roles: &[
+        Role::NONE,
+        Role {
+            self_orders: run(1, 1),
+            ..Role::NONE
+        },
+        Role {
+            sources: run(2, 1),
+            enclosings: run(0, 1),
+            ..Role::NONE
         },
     ],
     hierarchy: &[0, 1, 2],
     blocks: &[
         Block {
             first: 0,
+            masks: 1,
             momentary: 0b001,
+        },
+        block(3),
+        block(4),
+        block(36),
+    ],
+    masks: &[
+        Masks::NONE,
+        Masks {
             timed: 0b001,
             stored: 0b010,
             on_activation: 0,
@@ -193,9 +201,6 @@ pub(super) const GOOD: Program<'static> = Program {
             on_event: 0b010,
             forcing: 0b100,
         },
-        block(3),
-        block(4),
-        block(36),
     ],
     steps: &STEPS,
     duties: &[
@@ -236,7 +241,7 @@ pub(super) const GOOD: Program<'static> = Program {
         across(run(1, 1), run(0, 1)),
     ],
     do_blocks: &[Run::EMPTY, run(1, 1)],
-    links: &[Bit(128), Bit(160)],
+    links: &[0, 32],
     arms: &[
         Arm {
             transition: 0,
