@@ -24,13 +24,10 @@ impl Lowering<'_> {
     /// The stored and momentary statements of stand-alone actions and steps.
     pub fn lower_actions(&mut self) {
         let model = self.model;
-        let start = self.rows.stored.len();
-        for graph in self.graphs.clone() {
-            for action in &model[graph].always {
-                self.stored(&action.stored, Context::Action);
-            }
-        }
-        self.rows.always_stored = since(&self.rows.stored, start);
+        let graphs = self.graphs.clone();
+        let always = graphs.iter().flat_map(|graph| &model[*graph].always);
+        let always = always.flat_map(|action| &action.stored);
+        self.rows.always_stored = self.stored(always, Context::Action);
         for step in self.steps() {
             let runs = self.step_actions(step);
             self.rows.steps.push(runs);
@@ -72,8 +69,12 @@ impl Lowering<'_> {
     }
 
     /// Stored statements, one behind the other.
-    pub fn stored(&mut self, statements: &[model::Stored], context: Context) -> Run {
-        let start = self.rows.stored.len();
+    pub fn stored<'s>(
+        &mut self,
+        statements: impl IntoIterator<Item = &'s model::Stored>,
+        context: Context,
+    ) -> Run {
+        let mut rows = Vec::new();
         for statement in statements {
             let Some(slot) = self.places.slot(Atom::Variable(statement.target.variable)) else {
                 continue;
@@ -85,12 +86,12 @@ impl Lowering<'_> {
                 }
             };
             let condition = self.optional(statement.condition.as_ref(), context);
-            self.rows.stored.push(Stored {
+            rows.push(Stored {
                 assignment,
                 condition,
             });
         }
-        since(&self.rows.stored, start)
+        self.rows.stored.run(rows)
     }
 
     /// Momentary statements: first those of stand-alone actions, then those of each step; those that depend on others

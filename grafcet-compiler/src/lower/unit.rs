@@ -47,7 +47,7 @@ pub(super) struct Lowering<'m> {
 pub(super) struct Rows {
     pub links: Shared<u16>,
     pub situations: Vec<u32>,
-    pub stored: Vec<Stored>,
+    pub stored: Shared<Stored>,
     pub events: Vec<Event>,
     pub momentary: Shared<Momentary>,
     pub orders: Vec<Order>,
@@ -210,7 +210,7 @@ impl<'m> Lowering<'m> {
             situations: rows.situations,
             enclosings: rows.enclosings,
             orders: rows.orders,
-            stored: rows.stored,
+            stored: rows.stored.rows,
             events: rows.events,
             always_stored: rows.always_stored,
             targets: self.pool.targets.rows,

@@ -87,6 +87,16 @@ fn steps_that_do_alike_share_momentary_statements() {
 }
 
 #[test]
+fn stored_statements_that_are_alike_are_there_once_wherever_they_stand() {
+    let tables = graph(
+        "initial step 1 { n = 1; m = 2 }; step 2 { n = 1; m = 2 }; step 3 { n = 1 }\n\
+         transition 1: 1 -> 2 when a do { n = 1 }; transition 2: 2 -> 3 when a do { n = 1 }",
+    );
+    assert_eq!(tables.stored.len(), 3);
+    assert_eq!((tables.duties.len(), tables.do_blocks.len()), (3, 2));
+}
+
+#[test]
 fn graphs_that_are_alike_share_all_but_their_steps() {
     let graphs: Vec<String> = ["G", "H"]
         .map(|name| {
