@@ -80,7 +80,10 @@ impl Observer {
                 note!("{} starts in {}", name, now);
                 return;
             }
-            let manner = match (engine.graph_forced(index), graph.enclosings.len) {
+            let manner = match (
+                engine.graph_forced(index),
+                program.role(graph).enclosings.len,
+            ) {
                 (false, _) => "",
                 (true, 0) => " forced:",
                 (true, _) => " enclosed:",

@@ -6,7 +6,7 @@
 mod demonstration;
 mod rows;
 
-use grafcet_core::program::{Condition, Program};
+use grafcet_core::program::Program;
 use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 
@@ -67,12 +67,15 @@ pub fn is_unrolled(program: &Program<'_>) -> bool {
     let arms = program.arms.iter().map(|arm| {
         let transition = program.transitions.get(usize::from(arm.transition));
         match transition.map(|transition| transition.fires) {
-            Some(Condition::ALWAYS) => 1,
+            Some(0) => 1,
             _ => ROW,
         }
     });
     let duties = program.steps.iter().filter(|step| step.duties > 0).count();
-    arms.sum::<usize>() + (program.momentary.len() + duties) * ROW <= UNROLLED
+    let momentary = program.steps.iter().map(|step| step.momentary().len);
+    let momentary = momentary.chain([program.always_momentary.len]);
+    let momentary = momentary.map(usize::from).sum::<usize>();
+    arms.sum::<usize>() + (momentary + duties) * ROW <= UNROLLED
 }
 
 /// The walk over the steps of a small program, step by step.

@@ -7,7 +7,7 @@ use std::fs;
 
 use grafcet_compiler::application::Application;
 use grafcet_compiler::{Target, compile, emit};
-use grafcet_core::program::{Arm, Bit, Condition, Crossing, Slot};
+use grafcet_core::program::{Bit, Crossing, Slot, Term};
 
 /// The presets of one step, as table 1 has them.
 struct Presets {
@@ -58,20 +58,24 @@ fn the_trigger_behind_each_step_is_its_mask_and_state_word() {
     let steps = &application.controller.symbols.graphs[0].steps;
     for (step, presets) in TABLE_1.iter().enumerate() {
         let transition = &tables.transitions[step];
-        let Crossing::Within { leaves, .. } = transition.crossing else {
-            panic!("step {step}: {:?}", transition.crossing);
+        let crossing = tables.program().crossing(transition);
+        let Crossing::Within { leaves, .. } = crossing else {
+            panic!("step {step}: {crossing:?}");
         };
         assert_eq!(leaves, steps[step].bit.mask());
         // All of the trigger is the first term, which the step looks at.
-        assert_eq!(transition.fires, Condition::ALWAYS, "step {step}");
-        let input_word = Arm {
-            transition: step as u16,
+        assert_eq!(transition.fires, 0, "step {step}");
+        let input_word = Term {
             word: tables.layout.inputs.start,
             mask: presets.mask,
             state: presets.state,
         };
-        let armed = tables.steps[step].arms.of(&tables.arms);
-        assert_eq!(armed, [input_word], "step {step}");
+        let [arm] = tables.steps[step].arms().of(&tables.arms) else {
+            panic!("step {step} arms another number of transitions than one");
+        };
+        assert_eq!(usize::from(arm.transition), step);
+        let term = tables.terms[usize::from(arm.term)];
+        assert_eq!(term, input_word, "step {step}");
     }
 }
 
@@ -86,13 +90,13 @@ fn the_source_of_the_image_has_these_four_words_and_no_others() {
         rows.trim_end_matches(',').replace(",}", "}")
     };
     let word = application.controller.tables.layout.inputs.start;
-    let row = |(step, it): (usize, &Presets)| {
+    let row = |it: &Presets| {
         let (mask, state) = (it.mask, it.state);
-        format!("Arm{{transition:{step},word:{word},mask:{mask},state:{state}}}")
+        format!("Term{{word:{word},mask:{mask},state:{state}}}")
     };
-    let rows: Vec<String> = TABLE_1.iter().enumerate().map(row).collect();
-    assert_eq!(rows_of("arms"), rows.join(","));
-    for empty in ["terms", "codes", "ops", "timers"] {
+    let rows: Vec<String> = TABLE_1.iter().map(row).collect();
+    assert_eq!(rows_of("terms"), rows.join(","));
+    for empty in ["codes", "ops", "timers"] {
         assert_eq!(rows_of(empty), "", "{empty}");
     }
 }
@@ -115,11 +119,11 @@ fn the_outputs_of_each_step_make_its_output_word() {
     let application = four_steps();
     let tables = &application.controller.tables;
     for (step, presets) in TABLE_1.iter().enumerate() {
-        let statements = tables.steps[step].momentary.of(&tables.momentary);
+        let statements = tables.steps[step].momentary().of(&tables.momentary);
         let mut output = 0;
         for statement in statements {
             // As long as the step is active, and under no other condition.
-            assert_eq!(statement.condition, Condition::ALWAYS);
+            assert_eq!(statement.condition, 0);
             for target in statement.targets.of(&tables.targets) {
                 let places = (0..32).filter(|place| target.mask & 1 << place != 0);
                 let bits = places.map(|place| Bit(target.word * 32 + place));

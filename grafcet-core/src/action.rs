@@ -34,7 +34,10 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
         let tables = self.tables;
         let program = tables.program();
         if program.stores_on_change {
-            self.for_each_fired(|engine, transition| engine.run_stored(transition.actions));
+            self.for_each_fired(|engine, _, transition| {
+                let tables = engine.tables;
+                engine.run_stored(tables.program().do_block(transition));
+            });
         }
         if !program.events.is_empty() {
             self.for_each_duty(Part::OnEvent);
@@ -85,7 +88,8 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
             self.memory.put_word(usize::from(only), shown);
         }
         for Dependent { owner, statement } in program.dependent {
-            if owner.is_none_or(|step| self.memory.bit(step)) && self.holds(&statement.condition) {
+            if owner.is_none_or(|step| self.memory.bit(step)) && self.holds_row(statement.condition)
+            {
                 for target in statement.targets.of(program.targets) {
                     self.memory.raise(*target);
                 }
@@ -151,12 +155,14 @@ impl<P: Compiled, M: Memory> VisitSteps for Acting<'_, P, M> {
         let before = self.engine.memory.store.before().get(place);
         let before = before.copied().unwrap_or(0);
         let (activated, deactivated) = (now & !before, before & !now);
+        let tables = self.engine.tables;
+        let masks = tables.program().masks(block);
         match self.part {
-            Part::Activated => activated & block.timed,
-            Part::Stored => now & block.stored,
-            Part::OnActivation => activated & block.on_activation,
-            Part::OnDeactivation => deactivated & block.on_deactivation,
-            Part::OnEvent => before & block.on_event,
+            Part::Activated => activated & masks.timed,
+            Part::Stored => now & masks.stored,
+            Part::OnActivation => activated & masks.on_activation,
+            Part::OnDeactivation => deactivated & masks.on_deactivation,
+            Part::OnEvent => before & masks.on_event,
         }
     }
 
@@ -236,7 +242,7 @@ impl<P: Compiled, M: Memory> VisitSteps for Showing<'_, P, M> {
     #[inline(always)]
     fn step(&mut self, step: &Step) {
         let tables = self.engine.tables;
-        if let Some(rows) = step.momentary.some(tables.program().momentary) {
+        if let Some(rows) = step.momentary().some(tables.program().momentary) {
             each::<P, Momentary>(rows, self);
         }
     }
@@ -249,7 +255,7 @@ impl<P: Compiled, M: Memory> Visit<Momentary> for Showing<'_, P, M> {
     #[inline(always)]
     fn row(&mut self, row: &Momentary) {
         let tables = self.engine.tables;
-        if self.engine.holds(&row.condition)
+        if self.engine.holds_row(row.condition)
             && let Some(targets) = row.targets.some(tables.program().targets)
         {
             each::<P, Target>(targets, self);

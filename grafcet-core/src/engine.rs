@@ -306,9 +306,10 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
         self.watch(program.trigger_watches, pass);
         self.memory.remember_macros(&program.layout);
         self.clear_marks();
-        let mut moved = self.mark_fired();
+        let marked = self.mark_fired();
+        let mut moved = marked.any;
         if moved {
-            self.fire();
+            self.fire(marked);
             self.refresh_macros();
         }
         if self.has_hierarchy() {

@@ -8,15 +8,18 @@ use crate::sets::{GROUP, Set, rows};
 use crate::walk::{Visit, VisitSteps, each};
 
 impl<P: Compiled, M: Memory> Engine<P, M> {
-    /// Marks every armed transition whose trigger is True, and tells whether there is one. The situations stay as
+    /// Marks every armed transition whose trigger is True, and tells whether there are any. The situations stay as
     /// they are meanwhile, so that all transitions see the same one; the next ones are made beside them.
     #[inline(always)]
-    pub(crate) fn mark_fired(&mut self) -> bool {
+    pub(crate) fn mark_fired(&mut self) -> Marked {
         let tables = self.tables;
         let program = tables.program();
         let mut marking = Marking {
             engine: self,
-            any: false,
+            marked: Marked {
+                any: false,
+                across: false,
+            },
             now: 0,
             leaves: 0,
             enters: 0,
@@ -28,11 +31,11 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
                 marking.sources(graph);
             }
         }
-        let any = marking.any;
-        match self.memory.store.fired() {
-            [marks] => *marks != 0,
-            _ => any,
+        let mut marked = marking.marked;
+        if let [marks] = self.memory.store.fired() {
+            marked.any = *marks != 0;
         }
+        marked
     }
 
     /// A word of the situations of now.
@@ -66,11 +69,11 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
     /// Fires all marked transitions together: first every entrance step is left, then every exit step is entered, so
     /// that activation has priority (IEC 60848 rule 5). The situations before are kept.
     #[inline(always)]
-    pub(crate) fn fire(&mut self) {
+    pub(crate) fn fire(&mut self, marked: Marked) {
         let tables = self.tables;
         let program = tables.program();
-        // With graphs of few steps alone, the next situations are complete.
-        if !program.links.is_empty() {
+        // Of graphs of few steps the next situations are complete.
+        if !program.links.is_empty() && marked.across {
             self.cross(|entrance, _| entrance, |word, bit| word & !bit);
             self.cross(|_, exit| exit, |word, bit| word | bit);
         }
@@ -83,16 +86,19 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
     fn cross(&mut self, side: impl Fn(Run, Run) -> Run, change: impl Fn(u32, u32) -> u32) {
         let tables = self.tables;
         let program = tables.program();
-        self.for_each_fired(|engine, transition| {
-            let Crossing::Across { entrance, exit } = transition.crossing else {
+        let first = program.layout.situations.start;
+        self.for_each_fired(|engine, row, transition| {
+            let Crossing::Across { entrance, exit } = program.crossing(transition) else {
                 return;
             };
+            let Some(graph) = program.graph_of(row) else {
+                return;
+            };
+            let own = usize::from(graph.first_word.saturating_sub(first));
             for step in side(entrance, exit).of(program.links) {
-                let place = step
-                    .word()
-                    .saturating_sub(usize::from(program.layout.situations.start));
+                let place = own + usize::from(step / 32);
                 if let Some(word) = engine.memory.store.before_mut().get_mut(place) {
-                    *word = change(*word, step.mask());
+                    *word = change(*word, 1 << (step % 32));
                     engine.memory.insert(Set::Lively, place);
                 }
             }
@@ -100,7 +106,7 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
     }
 
     /// Visits the transitions that fired in this round, in source order.
-    pub(crate) fn for_each_fired(&mut self, mut visit: impl FnMut(&mut Self, &Transition)) {
+    pub(crate) fn for_each_fired(&mut self, mut visit: impl FnMut(&mut Self, usize, &Transition)) {
         let tables = self.tables;
         let program = tables.program();
         let words = self.memory.store.fired().len();
@@ -110,8 +116,9 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
                 for word in first..words.min(first + GROUP) {
                     let marks = self.memory.store.fired().get(word).copied().unwrap_or(0);
                     for bit in set_bits_of(marks) {
-                        if let Some(transition) = program.transitions.get(word * 32 + bit) {
-                            visit(self, transition);
+                        let row = word * 32 + bit;
+                        if let Some(transition) = program.transitions.get(row) {
+                            visit(self, row, transition);
                         }
                     }
                 }
@@ -135,6 +142,15 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
             }
         }
     }
+}
+
+/// Which transitions are marked.
+#[derive(Clone, Copy)]
+pub(crate) struct Marked {
+    /// Any.
+    pub any: bool,
+    /// One of a graph with more steps than a word has.
+    pub across: bool,
 }
 
 /// Makes the next situations those of now, and those of now the ones before.
@@ -171,7 +187,7 @@ impl<P: Compiled, M: Memory> VisitSteps for Exchanging<'_, P, M> {
 /// Looks at armed transitions.
 struct Marking<'e, P, M> {
     engine: &'e mut Engine<P, M>,
-    any: bool,
+    marked: Marked,
     /// The steps of the word that is being looked at.
     now: u32,
     /// What the marked transitions do to it.
@@ -192,7 +208,7 @@ impl<P: Compiled, M: Memory> Marking<'_, P, M> {
 
     #[inline(always)]
     fn mark(&mut self, transition: usize) {
-        self.any = true;
+        self.marked.any = true;
         let memory = &mut self.engine.memory;
         let Some(word) = memory.store.fired_mut().get_mut(transition / 32) else {
             return;
@@ -211,9 +227,10 @@ impl<P: Compiled, M: Memory> Marking<'_, P, M> {
         }
         let tables = self.engine.tables;
         self.enters = 0;
-        self.arms(graph.sources);
-        let first = tables.program().layout.situations.start;
-        let place = usize::from(graph.words.start.saturating_sub(first));
+        let program = tables.program();
+        self.arms(program.role(graph).sources);
+        let first = program.layout.situations.start;
+        let place = usize::from(graph.first_word.saturating_sub(first));
         let memory = &mut self.engine.memory;
         if let Some(word) = memory.store.before_mut().get_mut(place) {
             *word |= self.enters;
@@ -238,7 +255,7 @@ impl<P: Compiled, M: Memory> VisitSteps for Marking<'_, P, M> {
 
     #[inline(always)]
     fn step(&mut self, step: &Step) {
-        self.arms(step.arms);
+        self.arms(step.arms());
     }
 
     #[inline(always)]
@@ -272,19 +289,24 @@ impl<P: Compiled, M: Memory> Visit<Arm> for Marking<'_, P, M> {
     #[inline(always)]
     fn row(&mut self, arm: &Arm) {
         let tables = self.engine.tables;
-        let word = self.engine.memory.store.image().get(usize::from(arm.word));
-        if word.is_none_or(|word| word & arm.mask != arm.state) {
+        let program = tables.program();
+        let term = program.terms.get(usize::from(arm.term));
+        let image = self.engine.memory.store.image();
+        if term.is_none_or(|term| !term.holds(image)) {
             return;
         }
         let row = usize::from(arm.transition);
-        let Some(transition) = tables.program().transitions.get(row) else {
+        let Some(transition) = program.transitions.get(row) else {
             return;
         };
-        if self.engine.holds(&transition.fires) {
+        if self.engine.holds_row(transition.fires) {
             self.mark(row);
-            if let Crossing::Within { leaves, enters } = transition.crossing {
-                self.leaves |= leaves;
-                self.enters |= enters;
+            match program.crossing(transition) {
+                Crossing::Within { leaves, enters } => {
+                    self.leaves |= leaves;
+                    self.enters |= enters;
+                }
+                Crossing::Across { .. } => self.marked.across = true,
             }
         }
     }

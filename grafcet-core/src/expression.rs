@@ -12,6 +12,13 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
         self.terms_hold(condition.terms) && self.rest_holds(condition.rest)
     }
 
+    /// The same, for a row of the conditions.
+    #[inline(always)]
+    pub(crate) fn holds_row(&mut self, row: u16) -> bool {
+        let tables = self.tables;
+        row == 0 || self.holds(&tables.program().condition(row))
+    }
+
     /// Whether all terms hold now.
     #[inline(always)]
     fn terms_hold(&self, terms: Run) -> bool {

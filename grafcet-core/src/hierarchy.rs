@@ -3,7 +3,7 @@
 use crate::bits::set_bits_of;
 use crate::engine::Engine;
 use crate::memory::{Memory, Standing};
-use crate::program::{Bit, Compiled, Enclosing, Forced, Graph, Order, Run};
+use crate::program::{Bit, Compiled, Enclosing, Forced, Graph, Order, Role, Run};
 use crate::sets::Set;
 use crate::walk::{Visit, each};
 use crate::watch::Pass;
@@ -29,7 +29,7 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
             let Some(graph) = program.graphs.get(usize::from(index)) else {
                 continue;
             };
-            let enclosings = graph.enclosings.of(program.enclosings);
+            let enclosings = program.role(graph).enclosings.of(program.enclosings);
             if enclosings.is_empty() {
                 self.take(graph, graph.initial);
             } else if let Some(situation) = at_start(enclosings, |step| self.memory.bit(step)) {
@@ -62,12 +62,13 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
             let Some(graph) = program.graphs.get(usize::from(index)) else {
                 continue;
             };
-            self.watch(graph.self_watches, pass);
+            let role = program.role(graph);
+            self.watch(role.self_watches, pass);
             // An order of a superior stands against these, whose conditions are evaluated all the same.
-            self.give_orders(graph.self_orders);
-            bound |= self.settle(graph, index, pass);
-            self.watch(graph.watches, pass);
-            self.give_orders(graph.orders);
+            self.give_orders(role.self_orders);
+            bound |= self.settle(graph, role, index, pass);
+            self.watch(role.watches, pass);
+            self.give_orders(role.orders);
             self.give_orders_of_steps(graph);
         }
         bound
@@ -75,9 +76,9 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
 
     /// False when the graph keeps to its own evolution.
     #[inline(always)]
-    fn settle(&mut self, graph: &Graph, index: u16, pass: Pass) -> bool {
+    fn settle(&mut self, graph: &Graph, role: &Role, index: u16, pass: Pass) -> bool {
         let standing = self.standing(index);
-        if standing == Standing::FREE && graph.enclosings.len == 0 {
+        if standing == Standing::FREE && role.enclosings.len == 0 {
             return false;
         }
         self.bind(graph, index, standing, pass)
@@ -109,7 +110,7 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
     fn decide(&self, graph: &Graph, standing: Standing, pass: Pass) -> Decision {
         let tables = self.tables;
         let program = tables.program();
-        let enclosings = graph.enclosings.of(program.enclosings);
+        let enclosings = program.role(graph).enclosings.of(program.enclosings);
         if !self.is_alive(graph) {
             return Decision::Empty;
         }
@@ -134,7 +135,7 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
     pub(crate) fn is_alive(&self, graph: &Graph) -> bool {
         let tables = self.tables;
         let program = tables.program();
-        let enclosings = graph.enclosings.of(program.enclosings);
+        let enclosings = program.role(graph).enclosings.of(program.enclosings);
         enclosings.is_empty() || enclosings.iter().any(|by| self.memory.bit(by.step))
     }
 
@@ -145,7 +146,7 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
     }
 
     fn empty(&mut self, graph: &Graph) {
-        for word in graph.words.indices() {
+        for word in graph.words().indices() {
             self.set_word(word, 0);
         }
     }
@@ -153,7 +154,7 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
     fn take(&mut self, graph: &Graph, situation: u16) {
         let tables = self.tables;
         let program = tables.program();
-        for (offset, word) in graph.words.indices().enumerate() {
+        for (offset, word) in graph.words().indices().enumerate() {
             let set = program.situations.get(usize::from(situation) + offset);
             self.set_word(word, set.copied().unwrap_or(0));
         }
@@ -166,9 +167,9 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
         if pass == Pass::Start {
             return;
         }
-        let first = graph.words.start;
+        let first = graph.first_word;
         let offset = usize::from(first.saturating_sub(program.layout.situations.start));
-        for (index, word) in graph.words.indices().enumerate() {
+        for (index, word) in graph.words().indices().enumerate() {
             let steps = self
                 .memory
                 .store
@@ -195,9 +196,10 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
         let tables = self.tables;
         let program = tables.program();
         let steps = graph.steps.of(program.steps);
-        for (offset, word) in graph.words.indices().enumerate() {
+        for (offset, word) in graph.words().indices().enumerate() {
             let place = word.saturating_sub(usize::from(program.layout.situations.start));
-            let forcing = program.blocks.get(place).map_or(0, |block| block.forcing);
+            let forcing = program.blocks.get(place);
+            let forcing = forcing.map_or(0, |block| program.masks(block).forcing);
             for bit in set_bits_of(self.memory.word(word) & forcing) {
                 let step = steps.get(offset * 32 + bit);
                 if let Some(duties) = step.and_then(|step| program.duties_of(step)) {
@@ -266,9 +268,7 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
         let first = usize::from(graph.steps.start);
         steps.indices().any(|step| {
             let place = step.saturating_sub(first);
-            let word = self
-                .memory
-                .word(usize::from(graph.words.start) + place / 32);
+            let word = self.memory.word(usize::from(graph.first_word) + place / 32);
             word & (1 << (place % 32)) != 0
         })
     }

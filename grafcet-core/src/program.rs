@@ -21,7 +21,7 @@ pub use expression::{
 pub use place::{Bit, Number, Run, Slot, Stamp};
 pub use rows::{
     Arm, Assignment, Block, Crossing, Dependent, Duties, Enclosing, Event, Forced, Graph, Macro,
-    Momentary, NumberRow, Order, Retained, Step, Stored, Target, Transition,
+    Masks, Momentary, NumberRow, Order, Retained, Role, Step, Stored, Target, Transition,
 };
 
 /// How a program evolves within a scan.
@@ -110,10 +110,14 @@ pub struct Program<'a> {
     pub crosses_at_once: bool,
     /// The graphs.
     pub graphs: &'a [Graph],
+    /// What few graphs have; row 0 is none of it.
+    pub roles: &'a [Role],
     /// Indices of the graphs in the order of phase 4: superiors first.
     pub hierarchy: &'a [u16],
     /// For each word of [`Layout::situations`], whose steps they are.
     pub blocks: &'a [Block],
+    /// Which steps of a word do something beside momentary actions.
+    pub masks: &'a [Masks],
     /// The steps of all graphs.
     pub steps: &'a [Step],
     /// What steps do beside momentary actions; row 0 does nothing.
@@ -122,8 +126,13 @@ pub struct Program<'a> {
     pub macros: &'a [Macro],
     /// The transitions of all graphs.
     pub transitions: &'a [Transition],
-    /// Runs of bits: entrances and exits of the transitions of graphs with more than 32 steps.
-    pub links: &'a [Bit],
+    /// What transitions do to situations.
+    pub crossings: &'a [Crossing],
+    /// Rows of `stored`: the `do` blocks of transitions; row 0 is empty.
+    pub do_blocks: &'a [Run],
+    /// Steps, counted from the first one of their graph: entrances and exits of the transitions of graphs with more than
+    /// 32 steps.
+    pub links: &'a [u16],
     /// Transitions: those that each step arms first, those of each graph without entrance.
     pub arms: &'a [Arm],
     /// Words of situations; a situation has as many as its graph.
@@ -164,6 +173,8 @@ pub struct Program<'a> {
     pub round_watches: Run,
     /// Rows of `watches`: those in all other actions (before phase 6).
     pub action_watches: Run,
+    /// Conditions of transitions and momentary statements; row 0 always holds.
+    pub conditions: &'a [Condition],
     /// Conjunctions.
     pub terms: &'a [Term],
     /// Timers on steps.
@@ -187,7 +198,7 @@ impl Program<'_> {
         graph: &Graph,
         transition: &Transition,
     ) -> impl Iterator<Item = usize> + '_ {
-        match transition.crossing {
+        match self.crossing(transition) {
             Crossing::Within { leaves, .. } => self.steps_of(graph, leaves, Run::EMPTY),
             Crossing::Across { entrance, .. } => self.steps_of(graph, 0, entrance),
         }
@@ -199,17 +210,75 @@ impl Program<'_> {
         graph: &Graph,
         transition: &Transition,
     ) -> impl Iterator<Item = usize> + '_ {
-        match transition.crossing {
+        match self.crossing(transition) {
             Crossing::Within { enters, .. } => self.steps_of(graph, enters, Run::EMPTY),
             Crossing::Across { exit, .. } => self.steps_of(graph, 0, exit),
         }
     }
 
+    /// What firing a transition does to the situation.
+    #[must_use]
+    #[inline(always)]
+    pub fn crossing(&self, transition: &Transition) -> Crossing {
+        let row = self.crossings.get(usize::from(transition.crossing));
+        row.copied().unwrap_or(Crossing::NONE)
+    }
+
+    /// The statements of the `do` block of a transition.
+    #[must_use]
+    #[inline(always)]
+    pub fn do_block(&self, transition: &Transition) -> Run {
+        match transition.actions {
+            0 => Run::EMPTY,
+            row => {
+                let run = self.do_blocks.get(usize::from(row));
+                run.copied().unwrap_or(Run::EMPTY)
+            }
+        }
+    }
+
+    /// A row of the conditions.
+    #[must_use]
+    #[inline(always)]
+    pub fn condition(&self, row: u16) -> Condition {
+        match row {
+            0 => Condition::ALWAYS,
+            row => {
+                let condition = self.conditions.get(usize::from(row));
+                condition.copied().unwrap_or(Condition::ALWAYS)
+            }
+        }
+    }
+
+    /// What a graph is among others.
+    #[must_use]
+    #[inline(always)]
+    pub fn role(&self, graph: &Graph) -> &Role {
+        self.roles
+            .get(usize::from(graph.role))
+            .unwrap_or(&Role::NONE)
+    }
+
+    /// Which steps of a word do something beside momentary actions.
+    #[must_use]
+    #[inline(always)]
+    pub fn masks(&self, block: &Block) -> &Masks {
+        self.masks
+            .get(usize::from(block.masks))
+            .unwrap_or(&Masks::NONE)
+    }
+
+    /// The graph to which a row of the transitions belongs.
+    pub(crate) fn graph_of(&self, transition: usize) -> Option<&Graph> {
+        let starts = |graph: &Graph| usize::from(graph.transitions.start) <= transition;
+        let behind = self.graphs.partition_point(starts);
+        self.graphs.get(behind.checked_sub(1)?)
+    }
+
     fn steps_of(&self, graph: &Graph, mask: u32, links: Run) -> impl Iterator<Item = usize> + '_ {
-        let first_bit = usize::from(graph.words.start) * 32;
         let first_step = usize::from(graph.steps.start);
         let linked = links.of(self.links).iter();
-        let linked = linked.filter_map(move |bit| usize::from(bit.0).checked_sub(first_bit));
+        let linked = linked.map(|place| usize::from(*place));
         let places = set_bits_of(mask).chain(linked);
         places.map(move |place| first_step + place)
     }

@@ -30,6 +30,10 @@ pub enum Unsound {
     Macros,
     /// A transition joins what is no step of its graph, or points outside a table.
     Transitions,
+    /// A `do` block points outside the stored statements, or the first one holds any.
+    DoBlocks,
+    /// A condition asks for what is not there, or the first one for anything.
+    Conditions,
     /// A timer waits for what is not there.
     Timers,
     /// The code of a condition is cut off, takes what is not there or needs more stack than there is.
@@ -38,8 +42,8 @@ pub enum Unsound {
     Arms,
     /// What a step does beside momentary actions points outside a table, or row 0 does something.
     Duties,
-    /// A bit that is linked lies outside the image.
-    Links,
+    /// Row 0 of what few graphs have is not none of it.
+    Roles,
     /// An enclosing step is none, or its set is no set of steps of the graph.
     Enclosings,
     /// An order is for a graph that is not there, or for a set that is no set of its steps.
@@ -69,11 +73,13 @@ impl Unsound {
             Unsound::Steps => "the table of steps is unsound",
             Unsound::Macros => "the table of macro steps is unsound",
             Unsound::Transitions => "the table of transitions is unsound",
+            Unsound::DoBlocks => "the table of `do` blocks is unsound",
+            Unsound::Conditions => "the table of conditions is unsound",
             Unsound::Timers => "the table of timers on steps is unsound",
             Unsound::Codes => "the code of the conditions is unsound",
             Unsound::Arms => "the table of armed transitions is unsound",
             Unsound::Duties => "the table of what steps do is unsound",
-            Unsound::Links => "the table of links is unsound",
+            Unsound::Roles => "the table of what few graphs have is unsound",
             Unsound::Enclosings => "the table of enclosings is unsound",
             Unsound::Orders => "the table of forcing orders is unsound",
             Unsound::Stored => "the table of stored statements is unsound",
@@ -98,12 +104,12 @@ impl Unsound {
 /// #     remembered: 0, standings: 0, shown: 0, sets: 0,
 /// # };
 /// # const EMPTY: Program<'static> = Program {
-/// #     period_ms: 10, evolution: Evolution::Scan, fingerprint: 0, layout: LAYOUT, read_inputs: &[], reads_first_scan: false, crosses_at_once: false, graphs: &[], hierarchy: &[],
-/// #     blocks: &[], steps: &[], duties: &[], macros: &[], transitions: &[], links: &[], arms: &[],
+/// #     period_ms: 10, evolution: Evolution::Scan, fingerprint: 0, layout: LAYOUT, read_inputs: &[], reads_first_scan: false, crosses_at_once: false, graphs: &[], roles: &[], hierarchy: &[],
+/// #     blocks: &[], masks: &[], steps: &[], duties: &[], macros: &[], transitions: &[], crossings: &[], do_blocks: &[], links: &[], arms: &[],
 /// #     situations: &[], enclosings: &[], orders: &[], sources: &[], lasting_in_steps: false,
 /// #     momentary_varies: false, stores_on_change: false, stored: &[], events: &[], always_stored: Run::EMPTY, targets: &[], momentary: &[], always_momentary: Run::EMPTY,
 /// #     dependent: &[], edges: &[], watches: &[], trigger_watches: Run::EMPTY, round_watches: Run::EMPTY,
-/// #     action_watches: Run::EMPTY, terms: &[], timers: &[], codes: &[], ops: &[], numbers: &[],
+/// #     action_watches: Run::EMPTY, conditions: &[], terms: &[], timers: &[], codes: &[], ops: &[], numbers: &[],
 /// #     initially_true: &[], retained: &[],
 /// # };
 /// static PROGRAM: Program<'static> = Program { hierarchy: &[], ..EMPTY };
@@ -121,12 +127,12 @@ impl Unsound {
 /// #     remembered: 0, standings: 0, shown: 0, sets: 0,
 /// # };
 /// # const EMPTY: Program<'static> = Program {
-/// #     period_ms: 10, evolution: Evolution::Scan, fingerprint: 0, layout: LAYOUT, read_inputs: &[], reads_first_scan: false, crosses_at_once: false, graphs: &[], hierarchy: &[],
-/// #     blocks: &[], steps: &[], duties: &[], macros: &[], transitions: &[], links: &[], arms: &[],
+/// #     period_ms: 10, evolution: Evolution::Scan, fingerprint: 0, layout: LAYOUT, read_inputs: &[], reads_first_scan: false, crosses_at_once: false, graphs: &[], roles: &[], hierarchy: &[],
+/// #     blocks: &[], masks: &[], steps: &[], duties: &[], macros: &[], transitions: &[], crossings: &[], do_blocks: &[], links: &[], arms: &[],
 /// #     situations: &[], enclosings: &[], orders: &[], sources: &[], lasting_in_steps: false,
 /// #     momentary_varies: false, stores_on_change: false, stored: &[], events: &[], always_stored: Run::EMPTY, targets: &[], momentary: &[], always_momentary: Run::EMPTY,
 /// #     dependent: &[], edges: &[], watches: &[], trigger_watches: Run::EMPTY, round_watches: Run::EMPTY,
-/// #     action_watches: Run::EMPTY, terms: &[], timers: &[], codes: &[], ops: &[], numbers: &[],
+/// #     action_watches: Run::EMPTY, conditions: &[], terms: &[], timers: &[], codes: &[], ops: &[], numbers: &[],
 /// #     initially_true: &[], retained: &[],
 /// # };
 /// static PROGRAM: Program<'static> = Program { hierarchy: &[0], ..EMPTY };
@@ -163,8 +169,12 @@ impl Program<'_> {
             Some(Unsound::Timers)
         } else if !self.codes_are_sound() {
             Some(Unsound::Codes)
-        } else if !self.links_are_sound() {
-            Some(Unsound::Links)
+        } else if !self.conditions_are_sound() {
+            Some(Unsound::Conditions)
+        } else if !self.do_blocks_are_sound() {
+            Some(Unsound::DoBlocks)
+        } else if !self.roles_are_sound() {
+            Some(Unsound::Roles)
         } else if !self.graphs_are_sound() {
             Some(Unsound::Graphs)
         } else if !self.hierarchy_is_sound() {

@@ -104,7 +104,7 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
         graph.into_iter().flat_map(move |graph| {
             let first = usize::from(graph.steps.start);
             graph
-                .words
+                .words()
                 .indices()
                 .enumerate()
                 .map(move |(offset, word)| {

@@ -2,8 +2,9 @@
 
 use grafcet_core::Engine;
 use grafcet_core::program::{
-    Arm, Bit, Block, Condition, Crossing, Duties, Edges, Evolution, Graph, Layout, Momentary,
-    NumberRow, Preset, Program, Rest, Run, Seen, Stamp, Step, Target, Timer, Transition,
+    Arm, Bit, Block, Condition, Crossing, Duties, Edges, Evolution, Graph, Layout, Masks,
+    Momentary, NumberRow, Preset, Program, Rest, Role, Run, Seen, Stamp, Step, Target, Term, Timer,
+    Transition,
 };
 
 const A: Bit = Bit(32);
@@ -57,37 +58,36 @@ static PROGRAM: Program<'static> = Program {
     crosses_at_once: false,
     graphs: &[Graph {
         steps: run(0, 2),
-        words: run(2, 1),
+        first_word: 2,
         transitions: run(0, 2),
-        sources: Run::EMPTY,
         initial: 0,
-        enclosings: Run::EMPTY,
-        orders: Run::EMPTY,
-        self_orders: Run::EMPTY,
-        watches: Run::EMPTY,
-        self_watches: Run::EMPTY,
+        role: 0,
     }],
+    roles: &[Role::NONE],
     hierarchy: &[0],
     blocks: &[Block {
         first: 0,
+        masks: 0,
         momentary: 0b10,
+    }],
+    masks: &[Masks {
         timed: 0b10,
-        stored: 0,
-        on_activation: 0,
-        on_deactivation: 0,
-        on_event: 0,
-        forcing: 0,
+        ..Masks::NONE
     }],
     steps: &[
         Step {
-            arms: run(0, 1),
-            momentary: Run::EMPTY,
+            first_arm: 0,
+            first_momentary: 0,
             duties: 0,
+            arm_count: 1,
+            momentary_count: 0,
         },
         Step {
-            arms: run(1, 1),
-            momentary: run(0, 1),
+            first_arm: 1,
+            first_momentary: 0,
             duties: 1,
+            arm_count: 1,
+            momentary_count: 1,
         },
     ],
     duties: &[
@@ -100,38 +100,36 @@ static PROGRAM: Program<'static> = Program {
     macros: &[],
     transitions: &[
         Transition {
-            fires: Condition::ALWAYS,
-            crossing: Crossing::Within {
-                leaves: 0b01,
-                enters: 0b10,
-            },
-            actions: Run::EMPTY,
+            fires: 0,
+            crossing: 0,
+            actions: 0,
         },
         Transition {
-            fires: Condition {
-                terms: Run::EMPTY,
-                rest: Rest::Elapsed(0),
-            },
-            crossing: Crossing::Within {
-                leaves: 0b10,
-                enters: 0b01,
-            },
-            actions: Run::EMPTY,
+            fires: 1,
+            crossing: 1,
+            actions: 0,
         },
     ],
+    crossings: &[
+        Crossing::Within {
+            leaves: 0b01,
+            enters: 0b10,
+        },
+        Crossing::Within {
+            leaves: 0b10,
+            enters: 0b01,
+        },
+    ],
+    do_blocks: &[Run::EMPTY],
     links: &[],
     arms: &[
         Arm {
             transition: 0,
-            word: 5,
-            mask: 1,
-            state: 1,
+            term: 0,
         },
         Arm {
             transition: 1,
-            word: 0,
-            mask: 0,
-            state: 0,
+            term: 1,
         },
     ],
     situations: &[0b01],
@@ -147,7 +145,7 @@ static PROGRAM: Program<'static> = Program {
     targets: &[Target { word: 3, mask: 1 }],
     momentary: &[Momentary {
         targets: run(0, 1),
-        condition: Condition::ALWAYS,
+        condition: 0,
     }],
     always_momentary: Run::EMPTY,
     dependent: &[],
@@ -161,7 +159,25 @@ static PROGRAM: Program<'static> = Program {
     trigger_watches: Run::EMPTY,
     round_watches: Run::EMPTY,
     action_watches: Run::EMPTY,
-    terms: &[],
+    conditions: &[
+        Condition::ALWAYS,
+        Condition {
+            terms: Run::EMPTY,
+            rest: Rest::Elapsed(0),
+        },
+    ],
+    terms: &[
+        Term {
+            word: 5,
+            mask: 1,
+            state: 1,
+        },
+        Term {
+            word: 0,
+            mask: 0,
+            state: 0,
+        },
+    ],
     timers: &[Timer {
         step: X2,
         activated: Stamp(0),

@@ -192,18 +192,19 @@ impl Walks {
     /// The steps for which each of the walks has something to do; none when it passes every word all the same.
     fn masks(self, program: &Program<'_>, block: &Block) -> Vec<u32> {
         let timed = program.layout.stamps > 0;
+        let does = program.masks(block);
         let masks = match self {
             Walks::Round => [
                 (true, arming(program, block)),
                 (true, 0),
-                (timed, block.timed),
-                (!program.events.is_empty(), block.on_event),
-                (program.stores_on_change, block.on_deactivation),
-                (program.stores_on_change, block.on_activation),
+                (timed, does.timed),
+                (!program.events.is_empty(), does.on_event),
+                (program.stores_on_change, does.on_deactivation),
+                (program.stores_on_change, does.on_activation),
             ]
             .to_vec(),
             Walks::Scan => [
-                (program.lasting_in_steps, block.stored),
+                (program.lasting_in_steps, does.stored),
                 (true, block.momentary),
             ]
             .to_vec(),
@@ -224,7 +225,7 @@ fn arming(program: &Program<'_>, block: &Block) -> u32 {
     let next = program.blocks.iter().map(|it| it.first);
     let next = next.filter(|first| *first > block.first).min();
     let count = next.map_or(32, |next| usize::from(next - block.first));
-    let arms = |(bit, step): (usize, &Step)| u32::from(step.arms.len > 0) << bit;
+    let arms = |(bit, step): (usize, &Step)| u32::from(step.arm_count > 0) << bit;
     let steps = steps.unwrap_or_default().iter().take(count.min(32));
     steps.enumerate().map(arms).sum()
 }
@@ -256,7 +257,7 @@ fn walks(rows: Rows<'_>, graphs: &[Acting<'_>], walks: Walks) -> Work {
 fn lively(program: &Program<'_>, graphs: &[Acting<'_>]) -> usize {
     let first = usize::from(program.layout.situations.start);
     let words = graphs.iter().filter(|graph| graph.can_be_active());
-    let words = words.flat_map(|acting| acting.graph.words.indices());
+    let words = words.flat_map(|acting| acting.graph.words().indices());
     in_groups(words.map(|word| word - first))
 }
 

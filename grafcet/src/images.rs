@@ -14,7 +14,7 @@ pub fn situation(unit: &Unit, graph: usize, images: Images<'_>) -> String {
         return String::new();
     };
     let mut text = String::new();
-    for step in images.active(row.words) {
+    for step in images.active(row.words()) {
         if let Some(step) = symbol.steps.get(step) {
             if !text.is_empty() {
                 text.push(' ');

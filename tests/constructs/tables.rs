@@ -39,17 +39,14 @@ pub fn look(program: &Program<'_>, seen: &mut Seen) {
     program.watches.iter().for_each(|it| watch(it, seen));
     program.stored.iter().for_each(|it| stored(it, seen));
     program.orders.iter().for_each(|it| order(it, seen));
-    for transition in program.transitions {
-        seen.insert(transition.crossing.name());
+    for crossing in program.crossings {
+        seen.insert(crossing.name());
     }
     for timer in program.timers {
         seen.insert(timer.preset.name());
     }
-    let triggers = program.transitions.iter().map(|it| it.fires);
-    let momentary = program.momentary.iter().map(|it| it.condition);
-    let dependent = program.dependent.iter().map(|it| it.statement.condition);
-    for it in triggers.chain(momentary).chain(dependent) {
-        condition(&it, seen);
+    for it in program.conditions {
+        condition(it, seen);
     }
     seen.extend(
         features(program)
@@ -61,6 +58,7 @@ pub fn look(program: &Program<'_>, seen: &mut Seen) {
 
 fn features(program: &Program<'_>) -> [(&'static str, bool); 22] {
     let (graphs, steps, duties) = (program.graphs, program.steps, program.duties);
+    let roles = program.roles;
     let retained = |number: bool| {
         let rows = program.retained.iter();
         rows.filter(|row| matches!(row.slot, Slot::Number(_)) == number)
@@ -73,19 +71,16 @@ fn features(program: &Program<'_>) -> [(&'static str, bool); 22] {
         ("order of a step", duties.iter().any(|it| it.orders.len > 0)),
         (
             "order of a stand-alone action",
-            graphs.iter().any(|it| it.orders.len > 0),
+            roles.iter().any(|it| it.orders.len > 0),
         ),
         (
             "order on itself",
-            graphs.iter().any(|it| it.self_orders.len > 0),
+            roles.iter().any(|it| it.self_orders.len > 0),
         ),
-        (
-            "watch of orders",
-            graphs.iter().any(|it| it.watches.len > 0),
-        ),
+        ("watch of orders", roles.iter().any(|it| it.watches.len > 0)),
         (
             "watch of orders on itself",
-            graphs.iter().any(|it| it.self_watches.len > 0),
+            roles.iter().any(|it| it.self_watches.len > 0),
         ),
         ("watch of triggers", program.trigger_watches.len > 0),
         ("watch of rounds", program.round_watches.len > 0),
@@ -96,7 +91,7 @@ fn features(program: &Program<'_>) -> [(&'static str, bool); 22] {
         ),
         (
             "situation of several words",
-            graphs.iter().any(|it| it.words.len > 1),
+            graphs.iter().any(|it| it.words().len > 1),
         ),
         (
             "macro timed",
@@ -105,7 +100,7 @@ fn features(program: &Program<'_>) -> [(&'static str, bool); 22] {
         ("step timed", duties.iter().any(|it| it.activated.is_some())),
         (
             "momentary of a step",
-            steps.iter().any(|it| it.momentary.len > 0),
+            steps.iter().any(|it| it.momentary_count > 0),
         ),
         (
             "momentary of a stand-alone action",
@@ -120,7 +115,10 @@ fn features(program: &Program<'_>) -> [(&'static str, bool); 22] {
         ("source transition", !program.sources.is_empty()),
         (
             "first term of a transition",
-            program.arms.iter().any(|it| it.mask != 0),
+            program.arms.iter().any(|it| {
+                let term = program.terms.get(usize::from(it.term));
+                term.is_some_and(|term| term.mask != 0)
+            }),
         ),
     ]
 }

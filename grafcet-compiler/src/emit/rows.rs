@@ -2,9 +2,9 @@
 
 use grafcet_core::program::{
     Arm, Assignment, Bit, Block, Code, Condition, Crossing, Dependent, Duties, Edge, Edges,
-    Enclosing, Event, Evolution, Forced, Graph, Layout, Macro, Momentary, Number, NumberRow, Op,
-    Order, Preset, Rest, Retained, Run, Seen, Slot, Stamp, Step, Stored, Target, Term, Timer,
-    Transition, Unit, Watch,
+    Enclosing, Event, Evolution, Forced, Graph, Layout, Macro, Masks, Momentary, Number, NumberRow,
+    Op, Order, Preset, Rest, Retained, Role, Run, Seen, Slot, Stamp, Step, Stored, Target, Term,
+    Timer, Transition, Unit, Watch,
 };
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
@@ -32,9 +32,9 @@ macro_rules! structs {
 
 structs! {
     Tables => Program {
-        period_ms evolution fingerprint layout read_inputs reads_first_scan crosses_at_once graphs hierarchy blocks steps duties macros transitions links arms
+        period_ms evolution fingerprint layout read_inputs reads_first_scan crosses_at_once graphs roles hierarchy blocks masks steps duties macros transitions crossings do_blocks links arms
         situations enclosings orders sources lasting_in_steps momentary_varies stores_on_change stored events always_stored
-        targets momentary always_momentary dependent edges watches trigger_watches round_watches action_watches terms timers codes ops numbers
+        targets momentary always_momentary dependent edges watches trigger_watches round_watches action_watches conditions terms timers codes ops numbers
         initially_true retained
     }
     Layout => Layout {
@@ -42,12 +42,14 @@ structs! {
         remembered standings shown sets
     }
     Graph => Graph {
-        steps words transitions sources initial enclosings orders self_orders watches self_watches
+        steps first_word transitions initial role
     }
-    Step => Step { arms momentary duties }
+    Role => Role { sources enclosings orders self_orders watches self_watches }
+    Step => Step { first_arm first_momentary duties arm_count momentary_count }
     Duties => Duties { stored on_activation on_deactivation on_event orders activated }
-    Block => Block { first momentary timed stored on_activation on_deactivation on_event forcing }
-    Arm => Arm { transition word mask state }
+    Block => Block { first masks momentary }
+    Masks => Masks { timed stored on_activation on_deactivation on_event forcing }
+    Arm => Arm { transition term }
     Macro => Macro { bit graph steps activated }
     Transition => Transition { fires crossing actions }
     Enclosing => Enclosing { step situation at_start }
@@ -103,6 +105,13 @@ names! {
     Edge { Rising Falling }
     Evolution { Scan Stable }
     Unit { Milliseconds Seconds }
+}
+
+impl Row for u8 {
+    fn literal(&self) -> TokenStream {
+        let literal = Literal::u8_unsuffixed(*self);
+        quote!(#literal)
+    }
 }
 
 impl Row for u16 {

@@ -24,13 +24,10 @@ impl Lowering<'_> {
     /// The stored and momentary statements of stand-alone actions and steps.
     pub fn lower_actions(&mut self) {
         let model = self.model;
-        let start = self.rows.stored.len();
-        for graph in self.graphs.clone() {
-            for action in &model[graph].always {
-                self.stored(&action.stored, Context::Action);
-            }
-        }
-        self.rows.always_stored = since(&self.rows.stored, start);
+        let graphs = self.graphs.clone();
+        let always = graphs.iter().flat_map(|graph| &model[*graph].always);
+        let always = always.flat_map(|action| &action.stored);
+        self.rows.always_stored = self.stored(always, Context::Action);
         for step in self.steps() {
             let runs = self.step_actions(step);
             self.rows.steps.push(runs);
@@ -72,8 +69,12 @@ impl Lowering<'_> {
     }
 
     /// Stored statements, one behind the other.
-    pub fn stored(&mut self, statements: &[model::Stored], context: Context) -> Run {
-        let start = self.rows.stored.len();
+    pub fn stored<'s>(
+        &mut self,
+        statements: impl IntoIterator<Item = &'s model::Stored>,
+        context: Context,
+    ) -> Run {
+        let mut rows = Vec::new();
         for statement in statements {
             let Some(slot) = self.places.slot(Atom::Variable(statement.target.variable)) else {
                 continue;
@@ -85,12 +86,12 @@ impl Lowering<'_> {
                 }
             };
             let condition = self.optional(statement.condition.as_ref(), context);
-            self.rows.stored.push(Stored {
+            rows.push(Stored {
                 assignment,
                 condition,
             });
         }
-        since(&self.rows.stored, start)
+        self.rows.stored.run(rows)
     }
 
     /// Momentary statements: first those of stand-alone actions, then those of each step; those that depend on others
@@ -98,22 +99,17 @@ impl Lowering<'_> {
     fn lower_momentary(&mut self) {
         let causality = Causality::of(self.model, &self.graphs);
         let independent = || causality.statements.iter().filter(|it| it.reads.is_empty());
-        let start = self.rows.momentary.len();
-        for it in independent().filter(|it| it.owner.is_none()) {
-            let row = self.momentary(it.statement);
-            self.rows.momentary.push(row);
-        }
-        self.rows.always_momentary = since(&self.rows.momentary, start);
+        let always = independent().filter(|it| it.owner.is_none());
+        let rows = always.map(|it| self.momentary(it.statement)).collect();
+        self.rows.always_momentary = self.rows.momentary.run(rows);
         let in_steps: Vec<_> = independent()
             .filter_map(|it| Some((it.owner?, it.statement)))
             .collect();
         for of_one_step in in_steps.chunk_by(|a, b| a.0 == b.0) {
-            let start = self.rows.momentary.len();
-            for (_, statement) in of_one_step {
-                let row = self.momentary(statement);
-                self.rows.momentary.push(row);
-            }
-            let run = since(&self.rows.momentary, start);
+            let statements = of_one_step.iter();
+            let rows = statements.map(|(_, statement)| self.momentary(statement));
+            let rows = rows.collect();
+            let run = self.rows.momentary.run(rows);
             if let Some((step, _)) = of_one_step.first()
                 && let Some(runs) = self.step_runs(*step)
             {
@@ -142,9 +138,10 @@ impl Lowering<'_> {
         let targets = words.into_iter();
         let targets = targets.map(|(word, mask)| Target { word, mask });
         let targets = self.pool.targets.run(targets.collect());
+        let condition = self.optional(statement.condition.as_ref(), Context::Action);
         Momentary {
             targets,
-            condition: self.optional(statement.condition.as_ref(), Context::Action),
+            condition: self.pool.conditions.row(condition),
         }
     }
 }

@@ -29,8 +29,12 @@ pub(super) struct GraphOrders {
     pub own: Run,
 }
 
-/// Rows added to a table since it had a length.
+/// Rows added to a table since it had a length. No rows are the same wherever there are none, so that what refers to
+/// none is equal.
 pub(super) fn since<T>(table: &[T], start: usize) -> Run {
+    if table.len() == start {
+        return Run::EMPTY;
+    }
     Run {
         start: index(start),
         len: index(table.len() - start),
@@ -64,8 +68,8 @@ impl Lowering<'_> {
         let actions = self.stored(&transition.action.stored, self.change());
         Transition {
             fires: fires.condition,
-            crossing,
-            actions,
+            crossing: self.rows.crossings.row(crossing),
+            actions: self.rows.do_blocks.row(actions),
         }
     }
 
@@ -73,8 +77,8 @@ impl Lowering<'_> {
         let own = &self.model[transition.graph].steps;
         if own.len() > 32 {
             return Crossing::Across {
-                entrance: self.link(&transition.entrance),
-                exit: self.link(&transition.exit),
+                entrance: self.link(own.start, &transition.entrance),
+                exit: self.link(own.start, &transition.exit),
             };
         }
         let mask = |steps: &[StepId]| {
@@ -87,11 +91,10 @@ impl Lowering<'_> {
         }
     }
 
-    fn link(&mut self, steps: &[StepId]) -> Run {
-        let start = self.rows.links.len();
-        let bits = steps.iter().map(|step| self.places.bit(Atom::Step(*step)));
-        self.rows.links.extend(bits);
-        since(&self.rows.links, start)
+    /// Steps of a large graph, counted from its first one.
+    fn link(&mut self, first: usize, steps: &[StepId]) -> Run {
+        let places = steps.iter().map(|step| index(step.0 - first));
+        self.rows.links.run(places.collect())
     }
 
     /// The forcing statements of all graphs: of each the stand-alone ones, then those of its steps.

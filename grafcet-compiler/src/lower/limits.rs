@@ -7,9 +7,17 @@ use crate::source::Span;
 /// Rows of a table, and bits of an image, at most.
 pub(super) const MOST: usize = 65_535;
 
+/// Rows of a table that one step has, at most.
+pub(super) const MOST_OF_A_STEP: usize = 255;
+
 /// An index as tables hold it. One that is too large becomes the largest, and the program is refused in the end.
 pub(super) fn index(value: usize) -> u16 {
     u16::try_from(value).unwrap_or(u16::MAX)
+}
+
+/// A number of rows that one step has. One that is too large becomes the largest, and the program is refused.
+pub(super) fn count(value: usize) -> u8 {
+    u8::try_from(value).unwrap_or(u8::MAX)
 }
 
 /// Reports what a program has too much of.
@@ -23,6 +31,11 @@ pub(super) fn check(tables: &Tables, bits: usize, stamps: usize, whole: Span) ->
         (tables.steps.len(), "steps"),
         (tables.transitions.len(), "transitions"),
         (tables.graphs.len(), "graphs"),
+        (
+            tables.crossings.len(),
+            "ways in which transitions join steps",
+        ),
+        (tables.do_blocks.len(), "`do` blocks"),
         (tables.links.len(), "entrances and exits of transitions"),
         (
             tables.situations.len(),
@@ -39,7 +52,8 @@ pub(super) fn check(tables: &Tables, bits: usize, stamps: usize, whole: Span) ->
         ),
         (tables.watches.len(), "edges and timers"),
         (tables.targets.len(), "sets of momentary variables"),
-        (tables.terms.len(), "conditions"),
+        (tables.conditions.len(), "conditions"),
+        (tables.terms.len(), "parts of conditions"),
         (tables.timers.len(), "timers on steps"),
         (tables.codes.len(), "calculated conditions"),
         (tables.numbers.len(), "numbers"),
@@ -59,4 +73,10 @@ pub(super) fn too_long(operations: usize, span: Span) -> Diagnostic {
     let message =
         format!("an expression becomes at most {MOST} operations; this one needs {operations}");
     Diagnostic::new(Rule::OutOfRange, span, message).help("store a part of it in a variable")
+}
+
+/// Reports a step that has too much of something.
+pub(super) fn too_many(count: usize, what: &str, span: Span) -> Diagnostic {
+    let message = format!("a step has at most {MOST_OF_A_STEP} {what}; this one has {count}");
+    Diagnostic::new(Rule::OutOfRange, span, message)
 }

@@ -13,9 +13,9 @@ use crate::ast::Binary;
 use crate::diagnostic::Diagnostic;
 use crate::source::Span;
 
-/// Terms and operations.
-#[derive(Default)]
+/// Conditions, terms and operations.
 pub(super) struct Pool {
+    pub conditions: Shared<Condition>,
     pub terms: Shared<Term>,
     pub targets: Shared<Target>,
     pub timers: Shared<Timer>,
@@ -23,8 +23,8 @@ pub(super) struct Pool {
     pub ops: Vec<Op>,
     /// Depth of the stack that the deepest code needs.
     pub stack: usize,
-    /// Expressions that are too long.
-    pub too_long: Vec<Diagnostic>,
+    /// What is too large for its place: expressions, and what a step does.
+    pub beyond: Vec<Diagnostic>,
     known_ops: HashMap<Vec<Op>, Code>,
 }
 
@@ -44,6 +44,13 @@ impl<T> Default for Shared<T> {
 }
 
 impl<T: Clone + Eq + Hash> Shared<T> {
+    /// A table with that first row.
+    pub fn behind(first: T) -> Self {
+        let mut shared = Shared::default();
+        shared.row(first);
+        shared
+    }
+
     /// Where these rows stand one behind the other.
     pub fn run(&mut self, rows: Vec<T>) -> Run {
         if rows.is_empty() {
@@ -69,16 +76,34 @@ impl<T: Clone + Eq + Hash> Shared<T> {
 
 /// A condition whose first term stands apart.
 pub(super) struct Headed {
-    pub first: Term,
-    pub condition: Condition,
+    /// Row of the terms.
+    pub first: u16,
+    /// Row of the conditions.
+    pub condition: u16,
 }
 
 /// What always holds, as a term.
-pub(super) const NO_TERM: Term = Term {
+const NO_TERM: Term = Term {
     word: 0,
     mask: 0,
     state: 0,
 };
+
+impl Default for Pool {
+    fn default() -> Self {
+        Pool {
+            conditions: Shared::behind(Condition::ALWAYS),
+            terms: Shared::default(),
+            targets: Shared::default(),
+            timers: Shared::default(),
+            codes: Shared::default(),
+            ops: Vec::new(),
+            stack: 0,
+            beyond: Vec::new(),
+            known_ops: HashMap::new(),
+        }
+    }
+}
 
 impl Pool {
     /// When a Boolean holds.
@@ -102,7 +127,10 @@ impl Pool {
             terms: self.terms.run(terms),
             rest,
         };
-        Headed { first, condition }
+        Headed {
+            first: self.terms.row(first),
+            condition: self.conditions.row(condition),
+        }
     }
 
     fn conjunction(&mut self, bits: &[Bit], node: &Node, span: Span) -> (Vec<Term>, Rest) {
@@ -206,7 +234,7 @@ impl Pool {
             return *code;
         }
         if ops.len() > limits::MOST {
-            self.too_long.push(limits::too_long(ops.len(), span));
+            self.beyond.push(limits::too_long(ops.len(), span));
         }
         let code = Code {
             start: u32::try_from(self.ops.len()).unwrap_or(u32::MAX),

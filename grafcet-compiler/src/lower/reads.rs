@@ -1,6 +1,6 @@
 //! Who reads what.
 
-use grafcet_core::program::{Bit, Condition, Op, Rest, Run};
+use grafcet_core::program::{Bit, Condition, Op, Rest, Run, Transition};
 
 use crate::application::Tables;
 
@@ -34,20 +34,27 @@ pub(super) fn crosses_at_once(tables: &Tables) -> bool {
     tables.sources.is_empty()
         && tables.links.is_empty()
         && tables.graphs.iter().all(|graph| {
-            let earlier = first..graph.words.start;
+            let earlier = first..graph.first_word;
             let arms =
-                rows(&tables.steps, graph.steps).flat_map(|step| rows(&tables.arms, step.arms));
+                rows(&tables.steps, graph.steps).flat_map(|step| rows(&tables.arms, step.arms()));
+            let terms = arms.filter_map(|arm| tables.terms.get(usize::from(arm.term)));
             let transitions = rows(&tables.transitions, graph.transitions);
-            let triggers = transitions.flat_map(|transition| words(tables, &transition.fires));
-            !arms
-                .map(|arm| arm.word)
+            let triggers =
+                transitions.flat_map(|transition| words(tables, condition(tables, transition)));
+            !terms
+                .map(|term| term.word)
                 .chain(triggers)
                 .any(|word| earlier.contains(&word))
         })
 }
 
+/// When a transition fires, but for its first term.
+fn condition(tables: &Tables, transition: &Transition) -> Condition {
+    tables.program().condition(transition.fires)
+}
+
 /// The words that a condition reads.
-fn words(tables: &Tables, condition: &Condition) -> impl Iterator<Item = u16> {
+fn words(tables: &Tables, condition: Condition) -> impl Iterator<Item = u16> + use<'_> {
     let terms = rows(&tables.terms, condition.terms).map(|term| term.word);
     let code = match condition.rest {
         Rest::Code(code) | Rest::Logic(code) => tables.codes.get(usize::from(code)),
@@ -71,10 +78,9 @@ fn rows<T>(table: &[T], run: Run) -> impl Iterator<Item = &T> {
 /// The words and bits that conditions and values read.
 fn conditions(tables: &Tables) -> impl Iterator<Item = (u16, u32)> {
     let terms = tables.terms.iter().map(|term| (term.word, term.mask));
-    let arms = tables.arms.iter().map(|arm| (arm.word, arm.mask));
     let bits = tables.ops.iter().filter_map(|op| match op {
         Op::Bit(Bit(bit)) => Some((bit / 32, 1 << (bit % 32))),
         _ => None,
     });
-    terms.chain(arms).chain(bits)
+    terms.chain(bits)
 }

@@ -2,12 +2,12 @@
 
 use std::collections::BTreeMap;
 
-use grafcet_core::program::{Arm, Block, Duties, Graph, Macro, Run, Stamp, Step, Term};
+use grafcet_core::program::{Arm, Block, Duties, Graph, Macro, Masks, Role, Run, Stamp, Step};
 
 use super::atoms::Atom;
 use super::graph::{StepRuns, since};
-use super::limits::index;
-use super::pool::{NO_TERM, Shared};
+use super::limits::{MOST_OF_A_STEP, count, index, too_many};
+use super::pool::Shared;
 use super::unit::Lowering;
 use super::watch::Context;
 use crate::model::{self, GraphId, Hierarchy, Situation, StepId};
@@ -15,10 +15,12 @@ use crate::model::{self, GraphId, Hierarchy, Situation, StepId};
 /// The rows that are made last, when it is known which steps are timed.
 pub(super) struct Structure {
     pub graphs: Vec<Graph>,
+    pub roles: Vec<Role>,
     pub hierarchy: Vec<u16>,
     pub steps: Vec<Step>,
     pub duties: Vec<Duties>,
     pub blocks: Vec<Block>,
+    pub masks: Vec<Masks>,
     pub macros: Vec<Macro>,
     pub arms: Vec<Arm>,
     /// Graphs with transitions without entrance steps.
@@ -39,16 +41,19 @@ impl Lowering<'_> {
         let orders = std::mem::take(&mut self.rows.graph_orders);
         let mut structure = Structure {
             graphs: Vec::with_capacity(graphs.len()),
+            roles: Vec::new(),
             hierarchy: self.hierarchy(),
             steps: Vec::with_capacity(self.rows.steps.len()),
             duties: Vec::new(),
             blocks: Vec::new(),
+            masks: Vec::new(),
             macros: Vec::new(),
             arms: Vec::new(),
             sources: Vec::new(),
         };
-        let mut duties = Shared::default();
-        duties.row(duties_of(&StepRuns::default(), None));
+        let mut duties = Shared::behind(duties_of(&StepRuns::default(), None));
+        let mut roles = Shared::behind(Role::NONE);
+        let mut masks = Shared::default();
         for (row, &id) in graphs.iter().enumerate() {
             let graph = &model[id];
             let (armed, sources) = armed_by(model, id, first_transition);
@@ -63,10 +68,14 @@ impl Lowering<'_> {
                 let armed = armed.get(&step).into_iter().flatten();
                 structure.arms.extend(armed.map(|row| self.arm(*row)));
                 let activated = activations.get(&Atom::Step(step)).copied();
+                let (arms, momentary) = (structure.arms.len() - start, runs.momentary.len);
+                self.limit_step(step, arms, usize::from(momentary));
                 structure.steps.push(Step {
-                    arms: since(&structure.arms, start),
-                    momentary: runs.momentary,
+                    first_arm: index(start),
+                    first_momentary: runs.momentary.start,
                     duties: duties.row(duties_of(&runs, activated)),
+                    arm_count: count(arms),
+                    momentary_count: count(usize::from(momentary)),
                 });
             }
             let start = structure.arms.len();
@@ -78,24 +87,28 @@ impl Lowering<'_> {
                 .extend(sources.iter().map(|row| self.arm(*row)));
             let own = graph.steps.start - first_step..graph.steps.end - first_step;
             let steps = structure.steps.get(own.clone()).unwrap_or_default();
-            structure.blocks.extend(
-                steps
-                    .chunks(32)
-                    .zip(own.step_by(32))
-                    .map(|(steps, first)| block(index(first), steps, &duties.rows)),
-            );
+            let words = steps.chunks(32).zip(own.step_by(32));
+            structure.blocks.extend(words.map(|(steps, first)| Block {
+                first: index(first),
+                masks: masks.row(masks_of(steps, &duties.rows)),
+                momentary: mask(steps, |step| step.momentary_count > 0),
+            }));
             let orders = orders.get(row).copied().unwrap_or_default();
-            structure.graphs.push(Graph {
-                steps: rows(graph.steps.clone(), first_step),
-                words: self.places.situations.get(row).copied().unwrap_or_default(),
-                transitions: rows(graph.transitions.clone(), first_transition),
+            let role = roles.row(Role {
                 sources: since(&structure.arms, start),
-                initial: self.situation_row(id, &Situation::Initial),
                 enclosings: enclosings.get(row).copied().unwrap_or_default(),
                 orders: orders.others,
                 self_orders: orders.own,
                 watches: watches(Context::Forcing(row)),
                 self_watches: watches(Context::SelfForcing(row)),
+            });
+            let words = self.places.situations.get(row).copied();
+            structure.graphs.push(Graph {
+                steps: rows(graph.steps.clone(), first_step),
+                first_word: words.unwrap_or_default().start,
+                transitions: rows(graph.transitions.clone(), first_transition),
+                initial: self.situation_row(id, &Situation::Initial),
+                role,
             });
             // Inner macro steps stand behind outer ones in the model.
             structure
@@ -108,17 +121,33 @@ impl Lowering<'_> {
                 }));
         }
         structure.duties = duties.rows;
+        structure.roles = roles.rows;
+        structure.masks = masks.rows;
         structure
+    }
+
+    /// Reports a step that has too much of something.
+    fn limit_step(&mut self, step: StepId, arms: usize, momentary: usize) {
+        let span = self.model[step].span;
+        let counts = [
+            (
+                arms,
+                "transitions that have it as their first entrance step",
+            ),
+            (momentary, "momentary statements"),
+        ];
+        let beyond = counts
+            .into_iter()
+            .filter(|(count, _)| *count > MOST_OF_A_STEP);
+        let beyond = beyond.map(|(count, what)| too_many(count, what, span));
+        self.pool.beyond.extend(beyond);
     }
 
     fn arm(&self, transition: u16) -> Arm {
         let first = self.rows.firsts.get(usize::from(transition));
-        let Term { word, mask, state } = first.copied().unwrap_or(NO_TERM);
         Arm {
             transition,
-            word,
-            mask,
-            state,
+            term: first.copied().unwrap_or_default(),
         }
     }
 
@@ -131,26 +160,26 @@ impl Lowering<'_> {
     }
 }
 
-/// Steps that share a word.
-fn block(first: u16, steps: &[Step], duties: &[Duties]) -> Block {
-    let mask = |acts: &dyn Fn(&Step, &Duties) -> bool| {
-        let acts = |step: &Step| {
-            let duties = duties.get(usize::from(step.duties));
-            duties.is_some_and(|duties| acts(step, duties))
-        };
-        let bits = steps.iter().enumerate().filter(|(_, step)| acts(step));
-        bits.fold(0, |mask, (place, _)| mask | 1 << place)
+/// Which of some steps that share a word do something beside momentary actions.
+fn masks_of(steps: &[Step], duties: &[Duties]) -> Masks {
+    let acting = |acts: &dyn Fn(&Duties) -> bool| {
+        let of = |step: &Step| duties.get(usize::from(step.duties));
+        mask(steps, |step| of(step).is_some_and(acts))
     };
-    Block {
-        first,
-        momentary: mask(&|step, _| step.momentary.len > 0),
-        timed: mask(&|_, duties| duties.activated.is_some()),
-        stored: mask(&|_, duties| duties.stored.len > 0),
-        on_activation: mask(&|_, duties| duties.on_activation.len > 0),
-        on_deactivation: mask(&|_, duties| duties.on_deactivation.len > 0),
-        on_event: mask(&|_, duties| duties.on_event.len > 0),
-        forcing: mask(&|_, duties| duties.orders.len > 0),
+    Masks {
+        timed: acting(&|duties| duties.activated.is_some()),
+        stored: acting(&|duties| duties.stored.len > 0),
+        on_activation: acting(&|duties| duties.on_activation.len > 0),
+        on_deactivation: acting(&|duties| duties.on_deactivation.len > 0),
+        on_event: acting(&|duties| duties.on_event.len > 0),
+        forcing: acting(&|duties| duties.orders.len > 0),
     }
+}
+
+/// Those of some steps that share a word of which something is so.
+fn mask(steps: &[Step], is: impl Fn(&Step) -> bool) -> u32 {
+    let bits = steps.iter().enumerate().filter(|(_, step)| is(step));
+    bits.fold(0, |mask, (place, _)| mask | 1 << place)
 }
 
 fn duties_of(runs: &StepRuns, activated: Option<Stamp>) -> Duties {

@@ -3,8 +3,8 @@
 use std::collections::BTreeMap;
 
 use grafcet_core::program::{
-    Bit, Condition, Dependent, Enclosing, Event, Evolution, Momentary, Order, Run, Stamp, Stored,
-    Term, Transition,
+    Crossing, Dependent, Enclosing, Event, Evolution, Momentary, Order, Run, Stamp, Stored,
+    Transition,
 };
 
 use super::atoms::Atom;
@@ -12,7 +12,7 @@ use super::fingerprint;
 use super::graph::{GraphOrders, StepRuns};
 use super::limits::{self, index};
 use super::places::{Contents, Places};
-use super::pool::Pool;
+use super::pool::{Pool, Shared};
 use super::reads;
 use super::watch::{Context, Memories, Watches};
 use crate::application::Tables;
@@ -45,16 +45,18 @@ pub(super) struct Lowering<'m> {
 /// Rows that refer to what lies in other tables.
 #[derive(Default)]
 pub(super) struct Rows {
-    pub links: Vec<Bit>,
+    pub links: Shared<u16>,
     pub situations: Vec<u32>,
-    pub stored: Vec<Stored>,
+    pub stored: Shared<Stored>,
     pub events: Vec<Event>,
-    pub momentary: Vec<Momentary>,
+    pub momentary: Shared<Momentary>,
     pub orders: Vec<Order>,
     pub enclosings: Vec<Enclosing>,
     pub transitions: Vec<Transition>,
-    /// The first term of each transition.
-    pub firsts: Vec<Term>,
+    pub crossings: Shared<Crossing>,
+    pub do_blocks: Shared<Run>,
+    /// The first term of each transition, as a row of the terms.
+    pub firsts: Vec<u16>,
     /// What each step does, in the order of the steps.
     pub steps: Vec<StepRuns>,
     pub dependent: Vec<Dependent>,
@@ -101,7 +103,10 @@ impl<'m> Lowering<'m> {
             watches: Watches::default(),
             memories,
             graphs: contents.graphs,
-            rows: Rows::default(),
+            rows: Rows {
+                do_blocks: Shared::behind(Run::EMPTY),
+                ..Rows::default()
+            },
             activations: BTreeMap::new(),
         }
     }
@@ -181,34 +186,35 @@ impl<'m> Lowering<'m> {
             reads_first_scan: false,
             crosses_at_once: false,
             graphs: structure.graphs,
+            roles: structure.roles,
             hierarchy: structure.hierarchy,
             blocks: structure.blocks,
+            masks: structure.masks,
             steps: structure.steps,
             lasting_in_steps: structure.duties.iter().any(|row| row.stored.len > 0),
             momentary_varies: !rows.dependent.is_empty()
-                || rows
-                    .momentary
-                    .iter()
-                    .any(|row| row.condition != Condition::ALWAYS),
+                || rows.momentary.rows.iter().any(|row| row.condition > 0),
             stores_on_change: structure
                 .duties
                 .iter()
                 .any(|row| row.on_activation.len > 0 || row.on_deactivation.len > 0)
-                || rows.transitions.iter().any(|row| row.actions.len > 0),
+                || rows.transitions.iter().any(|row| row.actions > 0),
             duties: structure.duties,
             macros: structure.macros,
             transitions: rows.transitions,
-            links: rows.links,
+            crossings: rows.crossings.rows,
+            do_blocks: rows.do_blocks.rows,
+            links: rows.links.rows,
             arms: structure.arms,
             sources: structure.sources,
             situations: rows.situations,
             enclosings: rows.enclosings,
             orders: rows.orders,
-            stored: rows.stored,
+            stored: rows.stored.rows,
             events: rows.events,
             always_stored: rows.always_stored,
             targets: self.pool.targets.rows,
-            momentary: rows.momentary,
+            momentary: rows.momentary.rows,
             always_momentary: rows.always_momentary,
             dependent: rows.dependent,
             edges,
@@ -216,6 +222,7 @@ impl<'m> Lowering<'m> {
             trigger_watches: run(Context::Trigger),
             round_watches: run(Context::Round),
             action_watches: run(Context::Action),
+            conditions: self.pool.conditions.rows,
             terms: self.pool.terms.rows,
             timers: self.pool.timers.rows,
             codes: self.pool.codes.rows,
@@ -224,7 +231,7 @@ impl<'m> Lowering<'m> {
             initially_true: std::mem::take(&mut self.places.initially_true),
             retained: Vec::new(),
         };
-        let mut beyond = self.pool.too_long;
+        let mut beyond = self.pool.beyond;
         beyond.extend(limits::check(
             &tables,
             self.memories.bits,

@@ -12,7 +12,9 @@ use grafcet_core::program::{
     Slot, Stamp, Stored, Target, Term, Timer, Unit as PresetUnit, Watch,
 };
 
-use self::structure::{across, arm, block, duties, graphs, step, transition, within};
+use self::structure::{
+    BLOCKS, across, arm, blocks, duties, graphs, masks, roles, step, transition, within,
+};
 
 #[path = "structure.rs"]
 mod structure;
@@ -150,10 +152,10 @@ fn tables() -> Tables {
         reads_first_scan: true,
         crosses_at_once: false,
         graphs: graphs(),
+        roles: roles(),
         hierarchy: vec![0, 1, 2],
-        blocks: [(0, 0b111), (3, 0b1), (4, u32::MAX), (36, 0b1)]
-            .map(block)
-            .to_vec(),
+        blocks: blocks(),
+        masks: BLOCKS.map(masks).to_vec(),
         steps: (0..37).map(step).collect(),
         duties: duties(),
         macros: vec![Macro {
@@ -163,13 +165,21 @@ fn tables() -> Tables {
             activated: None,
         }],
         transitions: vec![
-            transition(within(0b01, 0b10), BOTH),
-            transition(within(0b10, 0b01), COMPARED),
-            transition(within(0, 0b1), Condition::ALWAYS),
-            transition(across(0, 1), only(Rest::Elapsed(0))),
-            transition(across(1, 0), only(Rest::Running(1))),
+            transition(0, 1),
+            transition(1, 2),
+            transition(2, 0),
+            transition(3, 3),
+            transition(4, 4),
         ],
-        links: vec![Bit(128), Bit(160)],
+        crossings: vec![
+            within(0b01, 0b10),
+            within(0b10, 0b01),
+            within(0, 0b1),
+            across(0, 1),
+            across(1, 0),
+        ],
+        do_blocks: vec![Run::EMPTY, run(1, 1)],
+        links: vec![0, 32],
         arms: (0..5).map(arm).collect(),
         situations: vec![0b001, 0b1, 0b101, 0b1, 0b0],
         enclosings: vec![Enclosing {
@@ -201,16 +211,16 @@ fn tables() -> Tables {
             word: 7,
             mask: 0x8000_0001,
         }],
-        momentary: vec![momentary(Condition::ALWAYS)],
+        momentary: vec![momentary(0)],
         always_momentary: Run::EMPTY,
         dependent: vec![
             Dependent {
                 owner: Some(Bit(64)),
-                statement: momentary(COMPARED),
+                statement: momentary(2),
             },
             Dependent {
                 owner: None,
-                statement: momentary(only(Rest::Code(2))),
+                statement: momentary(5),
             },
         ],
         edges: vec![Edges {
@@ -226,11 +236,19 @@ fn tables() -> Tables {
         trigger_watches: run(0, 2),
         round_watches: run(2, 1),
         action_watches: run(3, 3),
-        terms: vec![Term {
-            word: 1,
-            mask: 0x8000_0001,
-            state: 1,
-        }],
+        conditions: vec![
+            Condition::ALWAYS,
+            BOTH,
+            COMPARED,
+            only(Rest::Elapsed(0)),
+            only(Rest::Running(1)),
+            only(Rest::Code(2)),
+        ],
+        terms: vec![
+            term(1, 0x8000_0001, 1),
+            term(1, 0x4000_0001, 1),
+            term(0, 0, 0),
+        ],
         timers: vec![
             timer(Preset::Constant(500)),
             timer(Preset::Number(Number(3), PresetUnit::Seconds)),
@@ -258,6 +276,10 @@ fn tables() -> Tables {
     }
 }
 
+fn term(word: u16, mask: u32, state: u32) -> Term {
+    Term { word, mask, state }
+}
+
 fn timer(preset: Preset) -> Timer {
     Timer {
         step: Bit(64),
@@ -276,7 +298,7 @@ fn order(graph: u16, situation: Forced) -> Order {
     }
 }
 
-fn momentary(condition: Condition) -> Momentary {
+fn momentary(condition: u16) -> Momentary {
     Momentary {
         targets: run(0, 1),
         condition,

@@ -1,45 +1,59 @@
 //! The graphs of that controller.
 
 use grafcet_core::program::{
-    Arm, Block, Condition, Crossing, Duties, Graph, Run, Stamp, Step, Transition,
+    Arm, Block, Crossing, Duties, Graph, Masks, Role, Run, Stamp, Step, Transition,
 };
 
 use super::run;
 
 /// Three steps, one step without an entrance, 33 steps.
 pub fn graphs() -> Vec<Graph> {
-    let graph = |steps, words, transitions, initial| Graph {
+    let graph = |steps, first_word, transitions, initial, role| Graph {
         steps,
-        words,
+        first_word,
         transitions,
-        sources: Run::EMPTY,
         initial,
-        enclosings: Run::EMPTY,
-        orders: Run::EMPTY,
-        self_orders: Run::EMPTY,
-        watches: Run::EMPTY,
-        self_watches: Run::EMPTY,
+        role,
     };
     vec![
-        Graph {
-            self_orders: run(1, 1),
-            ..graph(run(0, 3), run(2, 1), run(0, 2), 0)
-        },
-        Graph {
-            sources: run(2, 1),
-            enclosings: run(0, 1),
-            ..graph(run(3, 1), run(3, 1), run(2, 1), 1)
-        },
-        graph(run(4, 33), run(4, 2), run(3, 2), 3),
+        graph(run(0, 3), 2, run(0, 2), 0, 1),
+        graph(run(3, 1), 3, run(2, 1), 1, 2),
+        graph(run(4, 33), 4, run(3, 2), 3, 0),
     ]
 }
 
-pub fn block((first, steps): (u16, u32)) -> Block {
+pub fn roles() -> Vec<Role> {
+    vec![
+        Role::NONE,
+        Role {
+            self_orders: run(1, 1),
+            ..Role::NONE
+        },
+        Role {
+            sources: run(2, 1),
+            enclosings: run(0, 1),
+            ..Role::NONE
+        },
+    ]
+}
+
+/// The steps of each word; there is a row of the masks for each.
+pub const BLOCKS: [(u16, u32); 4] = [(0, 0b111), (3, 0b1), (4, u32::MAX), (36, 0b1)];
+
+pub fn blocks() -> Vec<Block> {
+    let blocks = BLOCKS.iter().zip(0..);
+    let block = |((first, momentary), masks): (&(u16, u32), u16)| Block {
+        first: *first,
+        masks,
+        momentary: *momentary,
+    };
+    blocks.map(block).collect()
+}
+
+pub fn masks((first, steps): (u16, u32)) -> Masks {
     // The third step only forces.
     let act = if first == 0 { steps & !0b100 } else { steps };
-    Block {
-        first,
-        momentary: steps,
+    Masks {
         timed: act,
         stored: act,
         on_activation: act,
@@ -51,14 +65,12 @@ pub fn block((first, steps): (u16, u32)) -> Block {
 
 pub fn step(index: u16) -> Step {
     let arm = [0, 1, 4, 36].iter().position(|step| *step == index);
-    let arms = match arm {
-        Some(place) => run([0, 1, 3, 4][place], 1),
-        None => Run::EMPTY,
-    };
     Step {
-        arms,
-        momentary: run(0, 1),
+        first_arm: arm.map_or(0, |place| [0, 1, 3, 4][place]),
+        first_momentary: 0,
         duties: 1 + u16::from(index == 2),
+        arm_count: u8::from(arm.is_some()),
+        momentary_count: 1,
     }
 }
 
@@ -89,12 +101,9 @@ pub fn duties() -> Vec<Duties> {
 }
 
 pub fn arm(transition: u16) -> Arm {
-    let bits = if transition == 0 { 0x4000_0001 } else { 0 };
     Arm {
         transition,
-        word: transition.min(1),
-        mask: bits,
-        state: bits & 1,
+        term: 1 + transition.min(1),
     }
 }
 
@@ -109,10 +118,10 @@ pub fn across(entrance: u16, exit: u16) -> Crossing {
     }
 }
 
-pub fn transition(crossing: Crossing, fires: Condition) -> Transition {
+pub fn transition(crossing: u16, fires: u16) -> Transition {
     Transition {
         fires,
         crossing,
-        actions: run(1, 1),
+        actions: 1,
     }
 }

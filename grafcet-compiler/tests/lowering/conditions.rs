@@ -3,7 +3,7 @@
 use grafcet_compiler::application::Tables;
 use grafcet_core::program::{Bit, Op, Preset, Rest, Term, Timer};
 
-use crate::{graph, ops_of, tables, terms_of};
+use crate::{condition, graph, ops_of, tables, terms_of};
 
 /// The trigger of the only transition: its terms and what is no term.
 fn trigger(expression: &str) -> (Vec<Term>, Rest, Tables) {
@@ -11,7 +11,11 @@ fn trigger(expression: &str) -> (Vec<Term>, Rest, Tables) {
         "initial step 1\ntransition 1: 1 -> 1 when {expression}"
     ));
     let terms = terms_of(&tables, 0);
-    (terms, tables.transitions[0].fires.rest, tables)
+    (
+        terms,
+        condition(&tables, tables.transitions[0].fires).rest,
+        tables,
+    )
 }
 
 fn terms(expression: &str) -> Vec<Term> {
@@ -128,9 +132,15 @@ fn another_situation_is_code_unless_there_is_one_step() {
         "graph G { initial step 1; transition 1: 1 -> 1 when S(G) <> {1} }\n\
          graph H { initial step 1; step 2; transition 1: 1 -> 2 when S(H) <> {1} }",
     );
-    assert_eq!(tables.transitions[0].fires.rest, Rest::None);
+    assert_eq!(
+        condition(&tables, tables.transitions[0].fires).rest,
+        Rest::None
+    );
     assert_eq!(terms_of(&tables, 0).len(), 1);
-    assert!(matches!(tables.transitions[1].fires.rest, Rest::Logic(_)));
+    assert!(matches!(
+        condition(&tables, tables.transitions[1].fires).rest,
+        Rest::Logic(_)
+    ));
     assert_eq!(terms_of(&tables, 1), []);
 }
 
@@ -186,7 +196,7 @@ fn the_entrance_steps_behind_the_first_are_looked_at_before_the_trigger() {
         state: bits,
     });
     assert_eq!(terms_of(&tables, 0), [inputs, steps]);
-    let logic = tables.transitions[0].fires.rest;
+    let logic = condition(&tables, tables.transitions[0].fires).rest;
     assert_eq!(
         ops_of(&tables, logic),
         [Op::Bit(B), Op::Bit(Bit(34)), Op::Or]
@@ -198,7 +208,10 @@ fn the_entrance_steps_behind_the_first_are_looked_at_before_the_trigger() {
         state: 0b100,
     };
     assert_eq!(terms_of(&tables, 1), [third]);
-    let code = ops_of(&tables, tables.transitions[1].fires.rest);
+    let code = ops_of(
+        &tables,
+        condition(&tables, tables.transitions[1].fires).rest,
+    );
     assert!(code.contains(&Op::Bit(A)) && code.contains(&Op::Divide));
 }
 
@@ -208,7 +221,7 @@ fn a_trigger_that_needs_an_entrance_step_to_be_inactive_never_fires() {
         "initial step 1; initial step 2\ntransition 1: 1, 2 -> 1, 2 when NOT X2\ntransition 2: 1 -> 2 when a",
     );
     assert_eq!(terms_of(&tables, 0), []);
-    let rest = tables.transitions[0].fires.rest;
+    let rest = condition(&tables, tables.transitions[0].fires).rest;
     assert_eq!(ops_of(&tables, rest), [Op::Constant(0)]);
 }
 

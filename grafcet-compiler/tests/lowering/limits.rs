@@ -43,7 +43,7 @@ fn a_chain_of_a_thousand_steps_compiles() {
     }
     let tables = tables(&(text + "}"));
     assert_eq!(tables.steps.len(), 1000);
-    assert_eq!(tables.graphs[0].words.len, 32);
+    assert_eq!(tables.graphs[0].words().len, 32);
     assert_eq!(tables.layout.stamps, 999);
     // The edges of all inputs at once, and each timer where it is asked for.
     assert_eq!((tables.edges.len(), tables.watches.len()), (1, 0));
@@ -66,7 +66,10 @@ fn ten_thousand_steps_in_a_thousand_graphs_compile() {
     }
     let tables = tables(&text);
     assert_eq!((tables.graphs.len(), tables.steps.len()), (1000, 10_000));
-    assert_eq!((tables.terms.len(), tables.arms.len()), (1, 9000));
+    assert_eq!((tables.terms.len(), tables.arms.len()), (2, 9000));
+    // What graphs have alike they share.
+    assert_eq!((tables.conditions.len(), tables.crossings.len()), (2, 9));
+    assert_eq!((tables.momentary.len(), tables.targets.len()), (1000, 1000));
 }
 
 #[test]
@@ -156,14 +159,33 @@ fn statements_of_each_kind_have_a_limit() {
         let limit = format!("at most 65535 {what}; this one needs 65536");
         up_to(65_535, |count| program(statement, count), &limit);
     }
-    // A momentary statement has a row for itself and one for each variable.
-    assert_eq!(
-        refused_if_at_all(&program("M", 65_535)),
-        Vec::<String>::new()
+    let always = |count| {
+        let all = so_many(count, |_| "M\n".to_owned());
+        format!("output M\ngraph G {{ initial step 1\nalways {{ {all} }} }}")
+    };
+    up_to(
+        65_535,
+        always,
+        "at most 65535 momentary statements; this one needs 65536",
     );
-    let said = refused(&program("M", 65_536));
-    let momentary = "at most 65535 momentary statements; this one needs 65536";
-    assert!(said.iter().any(|it| it.contains(momentary)), "{said:?}");
+    up_to(
+        255,
+        |count| program("M", count),
+        "a step has at most 255 momentary statements; this one has 256",
+    );
+}
+
+#[test]
+fn the_transitions_behind_a_step_have_a_limit() {
+    let program = |count| {
+        let all = so_many(count, |n| format!("transition {n}: 1 -> 1 when a\n"));
+        format!("input a\ngraph G {{ initial step 1\n{all} }}")
+    };
+    up_to(
+        255,
+        program,
+        "a step has at most 255 transitions that have it as their first entrance step; this one has 256",
+    );
 }
 
 #[test]

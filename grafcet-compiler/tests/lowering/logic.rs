@@ -73,10 +73,7 @@ fn as_code(tables: &Tables) -> Tables {
             condition.rest = Rest::Code(row);
         }
     };
-    tables
-        .momentary
-        .iter_mut()
-        .for_each(|row| change(&mut row.condition));
+    tables.conditions.iter_mut().for_each(change);
     tables
 }
 
@@ -128,7 +125,10 @@ fn logic_on_32_booleans_at_once_keeps_them_all() {
         "input i0, i1\noutput M\ngraph G {{ initial step 1 {{ M IF {nested} }} }}"
     ));
     assert_eq!(tables.layout.stack, 32);
-    assert!(matches!(tables.momentary[0].condition.rest, Rest::Logic(_)));
+    assert!(matches!(
+        tables.conditions[usize::from(tables.momentary[0].condition)].rest,
+        Rest::Logic(_)
+    ));
     let expected = [false, true, true, false];
     assert_eq!(outputs(&tables, &[0b00, 0b01, 0b10, 0b11]), expected);
     assert_eq!(

@@ -15,7 +15,7 @@ mod watches;
 use grafcet_compiler::application::{Application, Tables};
 use grafcet_compiler::render::{Style, render};
 use grafcet_compiler::{Target, compile};
-use grafcet_core::program::{Op, Rest, Term};
+use grafcet_core::program::{Condition, Op, Rest, Role, Term};
 
 /// The application that a text becomes.
 fn application(text: &str) -> Application {
@@ -46,18 +46,24 @@ fn graph(elements: &str) -> Tables {
     ))
 }
 
+/// What a graph is among others.
+fn role(tables: &Tables, graph: usize) -> Role {
+    *tables.program().role(&tables.graphs[graph])
+}
+
+/// A row of the conditions.
+fn condition(tables: &Tables, row: u16) -> Condition {
+    tables.conditions[usize::from(row)]
+}
+
 /// What the first step that a transition leaves asks for: the term in its arm, and those behind it.
 fn terms_of(tables: &Tables, transition: u16) -> Vec<Term> {
     let mut arms = tables.arms.iter();
     let Some(arm) = arms.find(|arm| arm.transition == transition) else {
         panic!("nothing arms transition {transition}");
     };
-    let first = Term {
-        word: arm.word,
-        mask: arm.mask,
-        state: arm.state,
-    };
-    let fires = tables.transitions[usize::from(transition)].fires;
+    let first = tables.terms[usize::from(arm.term)];
+    let fires = condition(tables, tables.transitions[usize::from(transition)].fires);
     let behind = fires.terms.of(&tables.terms).iter().copied();
     let first = (first.mask != 0).then_some(first);
     // What is behind an arm without a term would be looked at without need.

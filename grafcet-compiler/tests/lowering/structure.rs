@@ -3,7 +3,7 @@
 use grafcet_compiler::application::Tables;
 use grafcet_core::program::{Arm, Bit, Crossing, Duties, Forced, Graph, Run, Slot, Step, Target};
 
-use crate::{application, graph, tables};
+use crate::{application, graph, role, tables};
 
 #[test]
 fn a_transition_is_armed_by_its_first_entrance_step_or_by_its_graph() {
@@ -18,12 +18,12 @@ fn a_transition_is_armed_by_its_first_entrance_step_or_by_its_graph() {
     let armed: Vec<Vec<u16>> = tables
         .steps
         .iter()
-        .map(|step| transitions(step.arms))
+        .map(|step| transitions(step.arms()))
         .collect();
     assert_eq!(armed, [&[3][..], &[0], &[2]]);
-    assert_eq!(transitions(tables.graphs[0].sources), [1]);
+    assert_eq!(transitions(role(&tables, 0).sources), [1]);
     assert_eq!(tables.sources, [0]);
-    let crossings: Vec<Crossing> = tables.transitions.iter().map(|it| it.crossing).collect();
+    let crossings: Vec<Crossing> = crossings(&tables);
     let within = |(leaves, enters)| Crossing::Within { leaves, enters };
     assert_eq!(
         crossings,
@@ -40,7 +40,8 @@ fn steps_of_a_large_graph_are_left_and_entered_by_links() {
     let program = tables.program();
     let steps = |row: usize| -> (Vec<usize>, Vec<usize>) {
         let (graph, transition): (&Graph, _) = (&tables.graphs[0], &tables.transitions[row]);
-        assert!(matches!(transition.crossing, Crossing::Across { .. }));
+        let crossing = program.crossing(transition);
+        assert!(matches!(crossing, Crossing::Across { .. }));
         (
             program.entrance_steps(graph, transition).collect(),
             program.exit_steps(graph, transition).collect(),
@@ -49,8 +50,8 @@ fn steps_of_a_large_graph_are_left_and_entered_by_links() {
     assert_eq!(steps(0), (vec![0, 39], vec![1, 38]));
     assert_eq!(steps(1), (vec![], vec![0]));
     assert_eq!(steps(2), (vec![1], vec![]));
-    assert_eq!(tables.links[0], Bit(64));
-    assert_eq!(tables.links[1], Bit(64 + 39));
+    assert_eq!(tables.links[0], 0);
+    assert_eq!(tables.links[1], 39);
 }
 
 #[test]
@@ -59,7 +60,7 @@ fn a_macro_step_is_entered_at_its_entry_and_left_at_its_exit() {
         "initial step 1; macro step M5 { exit step 3; entry step 2; transition 2: 2 -> 3 }\n\
          transition 1: 1 -> M5\ntransition 3: M5 -> 1",
     );
-    let crossings: Vec<Crossing> = tables.transitions.iter().map(|it| it.crossing).collect();
+    let crossings: Vec<Crossing> = crossings(&tables);
     let within = |(leaves, enters)| Crossing::Within { leaves, enters };
     assert_eq!(
         crossings,
@@ -87,7 +88,7 @@ fn orders_are_ranked_by_the_source_wherever_they_stand() {
         "input a\ngraph B { initial step 1 }\n\
          graph A { always { F/B:{} IF a }; initial step 1 { F/B:{1} }; always { F/B:{*}; F/A:{I} IF a } }",
     );
-    let a = tables.graphs[1];
+    let a = role(&tables, 1);
     let ranks = |run: Run| {
         run.of(&tables.orders)
             .iter()
@@ -106,7 +107,7 @@ fn an_enclosing_step_gives_its_set_and_at_the_start_the_initial_steps() {
         "graph A { initial step 1 encloses B{2}, C{1}; step 2 encloses B{1}; transition 1: 1 -> 2; transition 2: 2 -> 1 }\n\
          graph B { initial step 1; step 2; step 3; transition 1: 2 -> 3 }\ngraph C { step 1 }",
     );
-    let of = |graph: usize| tables.graphs[graph].enclosings.of(&tables.enclosings);
+    let of = |graph: usize| role(&tables, graph).enclosings.of(&tables.enclosings);
     let word = |situation: u16| tables.situations[usize::from(situation)];
     assert!(of(0).is_empty());
     let at_start: Vec<Option<u32>> = of(1).iter().map(|it| it.at_start.map(word)).collect();
@@ -123,7 +124,7 @@ fn momentary_statements_follow_what_they_depend_on() {
     let application = application(text);
     let tables = &application.controller.tables;
     assert_eq!(tables.momentary.len(), 2);
-    assert_eq!(tables.steps[0].momentary, Run { start: 0, len: 2 });
+    assert_eq!(tables.steps[0].momentary(), Run { start: 0, len: 2 });
     let bit = |name: &str| {
         let found = application
             .controller
@@ -187,7 +188,10 @@ fn stored_statements_stand_in_the_group_in_which_they_run() {
         stored(&tables, step.on_event.of(&tables.events)[0].stored),
         3
     );
-    assert_eq!(stored(&tables, tables.transitions[0].actions), 1);
+    assert_eq!(
+        stored(&tables, tables.program().do_block(&tables.transitions[0])),
+        1
+    );
 }
 
 #[test]
@@ -227,4 +231,11 @@ fn memory_for_what_a_program_does_not_do_is_not_kept() {
     assert_eq!(kept(&forced), (0, 0, 2));
     let enclosed = format!("{plain}\ngraph B {{ initial step 1 encloses A{{1}} }}");
     assert_eq!(kept(&enclosed), (0, 2, 2));
+}
+
+/// What each transition does to the situation.
+fn crossings(tables: &Tables) -> Vec<Crossing> {
+    let program = tables.program();
+    let transitions = tables.transitions.iter();
+    transitions.map(|it| program.crossing(it)).collect()
 }

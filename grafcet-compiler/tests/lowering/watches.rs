@@ -3,7 +3,7 @@
 use grafcet_compiler::application::Tables;
 use grafcet_core::program::{Bit, Edge, Edges, Op, Preset, Run, Term, Unit, Watch};
 
-use crate::{graph, ops_of, tables, terms_of};
+use crate::{condition, graph, ops_of, role, tables, terms_of};
 
 fn of(tables: &Tables, run: Run) -> Vec<Watch> {
     run.of(&tables.watches).to_vec()
@@ -22,7 +22,10 @@ fn a_step_is_timed_by_its_activation_and_others_are_not_timed() {
         .collect();
     let activated = tables.duties[usize::from(tables.steps[0].duties)].activated;
     assert_eq!(timers, [(Bit(64), activated.unwrap()); 2]);
-    let ops = ops_of(&tables, tables.transitions[1].fires.rest);
+    let ops = ops_of(
+        &tables,
+        condition(&tables, tables.transitions[1].fires).rest,
+    );
     let elapsed = ops.iter().filter(|op| **op == Op::Elapsed(1));
     assert_eq!(elapsed.count(), 2);
     assert_eq!(tables.layout.stamps, 1);
@@ -53,7 +56,7 @@ fn any_other_enable_is_watched_where_it_stands() {
         [Watch::OnDelay { .. }, Watch::OffDelay { .. }]
     ));
     assert!(matches!(
-        of(&tables, tables.graphs[0].self_watches)[..],
+        of(&tables, role(&tables, 0).self_watches)[..],
         [Watch::Timer { .. }]
     ));
 }
@@ -100,7 +103,7 @@ fn one_edge_is_watched_once_in_each_phase() {
     );
     assert_eq!(tables.trigger_watches.len, 1);
     assert_eq!(tables.action_watches.len, 2);
-    assert_eq!(tables.graphs[0].self_watches.len, 1);
+    assert_eq!(role(&tables, 0).self_watches.len, 1);
 }
 
 #[test]
@@ -138,7 +141,9 @@ fn edges_of_inputs_are_watched_by_their_words_for_all_phases() {
         ]
     );
     assert_eq!(tables.events[0].event, Bit(rises.word * 32 + 1));
-    let of_m = tables.momentary[0].condition.terms.of(&tables.terms);
+    let of_m = condition(&tables, tables.momentary[0].condition)
+        .terms
+        .of(&tables.terms);
     assert_eq!(of_m, [term(rises.word, 0b001)]);
 }
 
@@ -190,10 +195,9 @@ fn the_forcing_of_a_graph_has_watches_of_its_own() {
         "input a, b\ngraph A { initial step 1 { F/B:{1} IF ↑(a OR b) }; always { F/B:{} IF ↓(a OR b); F/A:{} IF ↑(a OR b) } }\n\
          graph B { initial step 1 { F/C:{*} IF ↑(a OR b) } }\ngraph C { initial step 1 }",
     );
-    let lengths = tables
-        .graphs
-        .iter()
-        .map(|graph| (graph.watches.len, graph.self_watches.len));
+    let lengths = (0..3)
+        .map(|graph| role(&tables, graph))
+        .map(|role| (role.watches.len, role.self_watches.len));
     assert_eq!(lengths.collect::<Vec<_>>(), [(2, 1), (1, 0), (0, 0)]);
 }
 
@@ -217,7 +221,7 @@ fn only_a_rising_step_bit_in_an_action_counts_from_false() {
         [true, false, false, false]
     );
     assert_eq!(from_false(&tables, tables.trigger_watches), [false]);
-    assert_eq!(from_false(&tables, tables.graphs[0].self_watches), [true]);
+    assert_eq!(from_false(&tables, role(&tables, 0).self_watches), [true]);
 }
 
 #[test]

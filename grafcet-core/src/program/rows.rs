@@ -7,14 +7,33 @@ use super::{Bit, Code, Condition, Number, Run, Slot, Stamp};
 pub struct Graph {
     /// Rows of [`Program::steps`](super::Program::steps). Step `i` of the run is bit `i` of the graph's situation words.
     pub steps: Run,
-    /// Words of the image with the situation, used by this graph alone.
-    pub words: Run,
+    /// The first of [`Graph::words`].
+    pub first_word: u16,
     /// Rows of [`Program::transitions`](super::Program::transitions).
     pub transitions: Run,
-    /// Rows of [`Program::arms`](super::Program::arms): its transitions without entrance steps.
-    pub sources: Run,
     /// First word in [`Program::situations`](super::Program::situations) of the initial situation.
     pub initial: u16,
+    /// Row of [`Program::roles`](super::Program::roles): what few graphs have. Row 0 is that of a graph that has none of it.
+    pub role: u16,
+}
+
+impl Graph {
+    /// Words of the image with the situation, used by this graph alone: as many as its steps need.
+    #[must_use]
+    #[inline(always)]
+    pub const fn words(&self) -> Run {
+        Run {
+            start: self.first_word,
+            len: self.steps.len.div_ceil(32),
+        }
+    }
+}
+
+/// What a graph is among others: what encloses it, what its stand-alone actions force; and what it begins by itself.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Role {
+    /// Rows of [`Program::arms`](super::Program::arms): its transitions without entrance steps.
+    pub sources: Run,
     /// Rows of [`Program::enclosings`](super::Program::enclosings): the steps that enclose this graph; empty for a graph of its own.
     pub enclosings: Run,
     /// Rows of [`Program::orders`](super::Program::orders): forcing by its stand-alone actions, other graphs only.
@@ -27,15 +46,53 @@ pub struct Graph {
     pub self_watches: Run,
 }
 
+impl Role {
+    /// A graph of its own that forces none and has no transition without entrance.
+    pub const NONE: Role = Role {
+        sources: Run::EMPTY,
+        enclosings: Run::EMPTY,
+        orders: Run::EMPTY,
+        self_orders: Run::EMPTY,
+        watches: Run::EMPTY,
+        self_watches: Run::EMPTY,
+    };
+}
+
 /// A step: what it arms and what it does.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Step {
-    /// Rows of [`Program::arms`](super::Program::arms): transitions that have this step as their first entrance step.
-    pub arms: Run,
-    /// Rows of [`Program::momentary`](super::Program::momentary): statements that depend on no momentary variable.
-    pub momentary: Run,
+    /// First row of [`Step::arms`].
+    pub first_arm: u16,
+    /// First row of [`Step::momentary`].
+    pub first_momentary: u16,
     /// Row of [`Program::duties`](super::Program::duties): what else it does. Row 0 is that of a step that does nothing else.
     pub duties: u16,
+    /// How many [`Step::arms`] it has.
+    pub arm_count: u8,
+    /// How many [`Step::momentary`] statements it has.
+    pub momentary_count: u8,
+}
+
+impl Step {
+    /// Rows of [`Program::arms`](super::Program::arms): transitions that have this step as their first entrance step.
+    #[must_use]
+    #[inline(always)]
+    pub const fn arms(&self) -> Run {
+        Run {
+            start: self.first_arm,
+            len: self.arm_count as u16,
+        }
+    }
+
+    /// Rows of [`Program::momentary`](super::Program::momentary): statements that depend on no momentary variable.
+    #[must_use]
+    #[inline(always)]
+    pub const fn momentary(&self) -> Run {
+        Run {
+            start: self.first_momentary,
+            len: self.momentary_count as u16,
+        }
+    }
 }
 
 /// What a step does beside momentary actions.
@@ -73,8 +130,15 @@ pub struct Macro {
 pub struct Block {
     /// Row of [`Program::steps`](super::Program::steps): the step that is the lowest bit.
     pub first: u16,
+    /// Row of [`Program::masks`](super::Program::masks): which of its steps do something beside momentary actions.
+    pub masks: u16,
     /// The steps that have momentary actions.
     pub momentary: u32,
+}
+
+/// Which steps of a word do something beside momentary actions.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Masks {
     /// The steps whose time of activation is kept.
     pub timed: u32,
     /// The steps that have stored statements without `on`.
@@ -89,29 +153,37 @@ pub struct Block {
     pub forcing: u32,
 }
 
+impl Masks {
+    /// None does anything.
+    pub const NONE: Masks = Masks {
+        timed: 0,
+        stored: 0,
+        on_activation: 0,
+        on_deactivation: 0,
+        on_event: 0,
+        forcing: 0,
+    };
+}
+
 /// A transition as its first entrance step sees it: armed, unless its first term says otherwise.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Arm {
     /// Row of [`Program::transitions`](super::Program::transitions).
     pub transition: u16,
-    /// Word of the image of the first term of all that the transition asks for beside that step.
-    pub word: u16,
-    /// The bits looked at.
-    pub mask: u32,
-    /// How they must stand.
-    pub state: u32,
+    /// Row of [`Program::terms`](super::Program::terms): the first term of all that the transition asks for beside that step.
+    pub term: u16,
 }
 
 /// A transition.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Transition {
-    /// When it fires while its first entrance step is active: the other entrance steps, and the trigger. The terms go
-    /// on behind the one in its [`Arm`].
-    pub fires: Condition,
-    /// What firing does to the situation.
-    pub crossing: Crossing,
-    /// Rows of [`Program::stored`](super::Program::stored): the `do` block.
-    pub actions: Run,
+    /// Row of [`Program::conditions`](super::Program::conditions): when it fires while its first entrance step is
+    /// active - the other entrance steps, and the trigger. The terms go on behind the one in its [`Arm`].
+    pub fires: u16,
+    /// Row of [`Program::crossings`](super::Program::crossings): what firing does to the situation.
+    pub crossing: u16,
+    /// Row of [`Program::do_blocks`](super::Program::do_blocks). Row 0 is that of a transition without one.
+    pub actions: u16,
 }
 
 /// The steps that a transition leaves and enters.
@@ -131,6 +203,14 @@ pub enum Crossing {
         /// Rows of [`Program::links`](super::Program::links): the exit steps.
         exit: Run,
     },
+}
+
+impl Crossing {
+    /// Stays where it is: what a row means that is not there, which no row of a checked program is.
+    pub(crate) const NONE: Crossing = Crossing::Within {
+        leaves: 0,
+        enters: 0,
+    };
 }
 
 /// A step that encloses a graph.
@@ -201,8 +281,8 @@ pub struct Event {
 pub struct Momentary {
     /// Rows of [`Program::targets`](super::Program::targets): the variables.
     pub targets: Run,
-    /// The condition behind `IF`.
-    pub condition: Condition,
+    /// Row of [`Program::conditions`](super::Program::conditions): the condition behind `IF`.
+    pub condition: u16,
 }
 
 /// Variables of one word of the image that become True together.

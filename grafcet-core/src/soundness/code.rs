@@ -43,6 +43,23 @@ impl Program<'_> {
             }
     }
 
+    /// Whether the first condition always holds, and the others ask for what is there.
+    pub(super) const fn conditions_are_sound(&self) -> bool {
+        let mut i = 0;
+        while i < self.conditions.len() {
+            let condition = self.conditions[i];
+            if !self.condition_is_sound(condition) || (i == 0 && condition.asks()) {
+                return false;
+            }
+            i += 1;
+        }
+        true
+    }
+
+    pub(super) const fn condition_row_is_sound(&self, row: u16) -> bool {
+        (row as usize) < self.conditions.len()
+    }
+
     pub(super) const fn timers_are_sound(&self) -> bool {
         let mut i = 0;
         while i < self.timers.len() {
@@ -131,6 +148,13 @@ impl Program<'_> {
             } => self.bit_is_sound(*step) && self.stamp_is_sound(*activated),
             _ => true,
         }
+    }
+}
+
+impl Condition {
+    /// Whether it asks for anything.
+    const fn asks(self) -> bool {
+        self.terms.len > 0 || !matches!(self.rest, Rest::None)
     }
 }
 

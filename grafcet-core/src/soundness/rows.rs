@@ -1,7 +1,7 @@
 //! Table by table, row by row.
 
 use crate::program::{
-    Assignment, Bit, Duties, Edges, Evolution, Forced, Momentary, Order, Program, Rest, Run, Seen,
+    Assignment, Bit, Duties, Edges, Evolution, Forced, Momentary, Order, Program, Role, Run, Seen,
     Watch,
 };
 
@@ -18,10 +18,18 @@ impl Program<'_> {
         self.numbers.len() == self.layout.numbers as usize
     }
 
-    pub(super) const fn links_are_sound(&self) -> bool {
+    /// Whether roles stay within their tables, and the first is none.
+    pub(super) const fn roles_are_sound(&self) -> bool {
         let mut i = 0;
-        while i < self.links.len() {
-            if !self.bit_is_sound(self.links[i]) {
+        while i < self.roles.len() {
+            let role = &self.roles[i];
+            let sound = role.sources.is_within(self.arms.len())
+                && role.enclosings.is_within(self.enclosings.len())
+                && role.orders.is_within(self.orders.len())
+                && role.self_orders.is_within(self.orders.len())
+                && role.watches.is_within(self.watches.len())
+                && role.self_watches.is_within(self.watches.len());
+            if !sound || (i == 0 && is_one(role)) {
                 return false;
             }
             i += 1;
@@ -33,8 +41,8 @@ impl Program<'_> {
         let mut i = 0;
         while i < self.steps.len() {
             let step = &self.steps[i];
-            let sound = step.arms.is_within(self.arms.len())
-                && step.momentary.is_within(self.momentary.len())
+            let sound = step.arms().is_within(self.arms.len())
+                && step.momentary().is_within(self.momentary.len())
                 && (step.duties as usize) < self.duties.len();
             if !sound {
                 return false;
@@ -100,8 +108,9 @@ impl Program<'_> {
         let mut g = 0;
         while g < self.graphs.len() {
             let graph = &self.graphs[g];
-            let mut i = graph.enclosings.start as usize;
-            while i < graph.enclosings.end() {
+            let enclosings = self.roles[graph.role as usize].enclosings;
+            let mut i = enclosings.start as usize;
+            while i < enclosings.end() {
                 let enclosing = &self.enclosings[i];
                 let at_start = match enclosing.at_start {
                     Some(set) => self.situation_is_sound(graph, set),
@@ -130,7 +139,8 @@ impl Program<'_> {
         let mut g = 0;
         while g < self.graphs.len() {
             let graph = &self.graphs[g];
-            if !self.orders_are_by(graph.orders, g) || !self.orders_are_by(graph.self_orders, g) {
+            let role = &self.roles[graph.role as usize];
+            if !self.orders_are_by(role.orders, g) || !self.orders_are_by(role.self_orders, g) {
                 return false;
             }
             let mut i = graph.steps.start as usize;
@@ -141,7 +151,7 @@ impl Program<'_> {
                 }
                 i += 1;
             }
-            let own = graph.self_orders;
+            let own = role.self_orders;
             let mut i = own.start as usize;
             while i < own.end() {
                 if self.orders[i].graph as usize != g {
@@ -195,6 +205,21 @@ impl Program<'_> {
         true
     }
 
+    /// Whether the first `do` block is none, and the others are statements that run when a situation changes.
+    pub(super) const fn do_blocks_are_sound(&self) -> bool {
+        let mut i = 0;
+        while i < self.do_blocks.len() {
+            let run = self.do_blocks[i];
+            if !run.is_within(self.stored.len())
+                || (run.len > 0 && (i == 0 || !self.stores_on_change))
+            {
+                return false;
+            }
+            i += 1;
+        }
+        true
+    }
+
     pub(super) const fn events_are_sound(&self) -> bool {
         let mut i = 0;
         while i < self.events.len() {
@@ -231,11 +256,9 @@ impl Program<'_> {
     }
 
     const fn statement_is_sound(&self, statement: &Momentary) -> bool {
-        let conditional =
-            statement.condition.terms.len > 0 || !matches!(statement.condition.rest, Rest::None);
-        if (conditional && !self.momentary_varies)
+        if (statement.condition > 0 && !self.momentary_varies)
             || !statement.targets.is_within(self.targets.len())
-            || !self.condition_is_sound(statement.condition)
+            || !self.condition_row_is_sound(statement.condition)
         {
             return false;
         }
@@ -368,6 +391,15 @@ impl Program<'_> {
         }
         true
     }
+}
+
+const fn is_one(role: &Role) -> bool {
+    role.sources.len > 0
+        || role.enclosings.len > 0
+        || role.orders.len > 0
+        || role.self_orders.len > 0
+        || role.watches.len > 0
+        || role.self_watches.len > 0
 }
 
 const fn does_something(row: &Duties) -> bool {

@@ -12,11 +12,11 @@ impl Program<'_> {
             let graph = &self.graphs[i];
             let shared_out = graph.steps.start as usize == steps
                 && graph.transitions.start as usize == transitions
-                && (graph.words.len == 0 || graph.words.start as usize >= word);
+                && (graph.words().len == 0 || graph.first_word as usize >= word);
             if !shared_out || !self.graph_is_sound(graph) {
                 return false;
             }
-            if graph.sources.len > 0 {
+            if self.roles[graph.role as usize].sources.len > 0 {
                 if sources >= self.sources.len() || self.sources[sources] as usize != i {
                     return false;
                 }
@@ -24,8 +24,8 @@ impl Program<'_> {
             }
             steps = graph.steps.end();
             transitions = graph.transitions.end();
-            if graph.words.len > 0 {
-                word = graph.words.end();
+            if graph.words().len > 0 {
+                word = graph.words().end();
             }
             i += 1;
         }
@@ -36,26 +36,21 @@ impl Program<'_> {
     }
 
     const fn graph_is_sound(&self, graph: &Graph) -> bool {
-        graph.words.len as usize * 32 >= graph.steps.len as usize
+        (graph.role as usize) < self.roles.len()
             && graph.steps.is_within(self.steps.len())
             && graph.transitions.is_within(self.transitions.len())
-            && graph.sources.is_within(self.arms.len())
             && self.blocks_are_sound(graph)
-            && graph.enclosings.is_within(self.enclosings.len())
-            && graph.orders.is_within(self.orders.len())
-            && graph.self_orders.is_within(self.orders.len())
-            && graph.watches.is_within(self.watches.len())
-            && graph.self_watches.is_within(self.watches.len())
             && self.situation_is_sound(graph, graph.initial)
     }
 
     /// Whether the words of a graph lead to its own steps.
     const fn blocks_are_sound(&self, graph: &Graph) -> bool {
         let mut i = 0;
-        while i < graph.words.len as usize {
-            let word = graph.words.start as usize + i - self.layout.situations.start as usize;
+        while i < graph.words().len as usize {
+            let word = graph.first_word as usize + i - self.layout.situations.start as usize;
             if word >= self.blocks.len()
                 || self.blocks[word].first as usize != graph.steps.start as usize + i * 32
+                || self.blocks[word].masks as usize >= self.masks.len()
             {
                 return false;
             }
@@ -68,18 +63,19 @@ impl Program<'_> {
     pub(super) const fn blocks_name_what_acts(&self, graph: &Graph) -> bool {
         let mut i = 0;
         while i < graph.steps.len as usize {
-            let word = graph.words.start as usize + i / 32 - self.layout.situations.start as usize;
+            let word = graph.first_word as usize + i / 32 - self.layout.situations.start as usize;
             let step = &self.steps[graph.steps.start as usize + i];
             let mask = 1 << (i % 32);
             let block = &self.blocks[word];
+            let masks = &self.masks[block.masks as usize];
             let duties = &self.duties[step.duties as usize];
-            if (step.momentary.len > 0) != (block.momentary & mask != 0)
-                || duties.activated.is_some() != (block.timed & mask != 0)
-                || (duties.stored.len > 0) != (block.stored & mask != 0)
-                || (duties.on_activation.len > 0) != (block.on_activation & mask != 0)
-                || (duties.on_deactivation.len > 0) != (block.on_deactivation & mask != 0)
-                || (duties.on_event.len > 0) != (block.on_event & mask != 0)
-                || (duties.orders.len > 0) != (block.forcing & mask != 0)
+            if (step.momentary_count > 0) != (block.momentary & mask != 0)
+                || duties.activated.is_some() != (masks.timed & mask != 0)
+                || (duties.stored.len > 0) != (masks.stored & mask != 0)
+                || (duties.on_activation.len > 0) != (masks.on_activation & mask != 0)
+                || (duties.on_deactivation.len > 0) != (masks.on_deactivation & mask != 0)
+                || (duties.on_event.len > 0) != (masks.on_event & mask != 0)
+                || (duties.orders.len > 0) != (masks.forcing & mask != 0)
             {
                 return false;
             }
@@ -110,7 +106,7 @@ impl Program<'_> {
     pub(super) const fn situation_is_sound(&self, graph: &Graph, start: u16) -> bool {
         let set = Run {
             start,
-            len: graph.words.len,
+            len: graph.words().len,
         };
         if !set.is_within(self.situations.len()) {
             return false;
@@ -132,9 +128,7 @@ impl Program<'_> {
         while i < self.arms.len() {
             let arm = &self.arms[i];
             if arm.transition as usize >= self.transitions.len()
-                || arm.word >= self.layout.words
-                || arm.state & !arm.mask != 0
-                || !self.notes_reading(arm.word, arm.mask)
+                || arm.term as usize >= self.terms.len()
             {
                 return false;
             }
@@ -150,13 +144,13 @@ impl Program<'_> {
             let graph = &self.graphs[g];
             let mut place = 0;
             while place < graph.steps.len {
-                let arms = self.steps[graph.steps.start as usize + place as usize].arms;
+                let arms = self.steps[graph.steps.start as usize + place as usize].arms();
                 if !self.arms_are_of(graph, arms, Some(place)) {
                     return false;
                 }
                 place += 1;
             }
-            if !self.arms_are_of(graph, graph.sources, None) {
+            if !self.arms_are_of(graph, self.roles[graph.role as usize].sources, None) {
                 return false;
             }
             g += 1;
@@ -168,9 +162,11 @@ impl Program<'_> {
         let mut i = arms.start as usize;
         while i < arms.end() {
             let row = self.arms[i].transition as usize;
-            if !graph.transitions.holds(row)
-                || !self.is_armed_by(graph, self.transitions[row].crossing, step)
-            {
+            if !graph.transitions.holds(row) {
+                return false;
+            }
+            let crossing = self.crossings[self.transitions[row].crossing as usize];
+            if !self.is_armed_by(crossing, step) {
                 return false;
             }
             i += 1;
@@ -178,15 +174,14 @@ impl Program<'_> {
         true
     }
 
-    const fn is_armed_by(&self, graph: &Graph, crossing: Crossing, step: Option<u16>) -> bool {
+    const fn is_armed_by(&self, crossing: Crossing, step: Option<u16>) -> bool {
         match (crossing, step) {
             (Crossing::Within { leaves, .. }, Some(step)) => leaves & 1 << step != 0,
             (Crossing::Within { leaves, .. }, None) => leaves == 0,
             (Crossing::Across { entrance, .. }, Some(step)) => {
                 let mut i = entrance.start as usize;
                 while i < entrance.end() {
-                    let place = graph.words.start as usize * 32 + step as usize;
-                    if self.links[i].0 as usize == place {
+                    if self.links[i] == step {
                         return true;
                     }
                     i += 1;
@@ -204,11 +199,11 @@ impl Program<'_> {
             let mut i = graph.transitions.start as usize;
             while i < graph.transitions.end() {
                 let transition = &self.transitions[i];
-                let sound = self.crossing_is_sound(graph, transition.crossing)
-                    && self.condition_is_sound(transition.fires)
+                let sound = (transition.crossing as usize) < self.crossings.len()
+                    && self.crossing_is_sound(graph, self.crossings[transition.crossing as usize])
+                    && self.condition_row_is_sound(transition.fires)
                     && (!self.crosses_at_once || self.sees_no_earlier(graph, transition))
-                    && transition.actions.is_within(self.stored.len())
-                    && (transition.actions.len == 0 || self.stores_on_change);
+                    && (transition.actions as usize) < self.do_blocks.len();
                 if !sound {
                     return false;
                 }
@@ -227,10 +222,10 @@ impl Program<'_> {
                 } else {
                     u32::MAX << graph.steps.len
                 };
-                graph.words.len <= 1 && (leaves | enters) & unused == 0
+                graph.words().len <= 1 && (leaves | enters) & unused == 0
             }
             Crossing::Across { entrance, exit } => {
-                graph.words.len > 1
+                graph.words().len > 1
                     && self.links_are_steps_of(graph, entrance)
                     && self.links_are_steps_of(graph, exit)
             }
@@ -239,7 +234,8 @@ impl Program<'_> {
 
     /// Whether a transition reads no situation of an earlier graph, which has been exchanged by then.
     const fn sees_no_earlier(&self, graph: &Graph, transition: &Transition) -> bool {
-        let terms = transition.fires.terms;
+        let fires = self.conditions[transition.fires as usize];
+        let terms = fires.terms;
         let mut i = terms.start as usize;
         while i < terms.end() {
             if self.is_earlier(graph, self.terms[i].word) {
@@ -247,7 +243,7 @@ impl Program<'_> {
             }
             i += 1;
         }
-        if let Rest::Code(row) | Rest::Logic(row) = transition.fires.rest {
+        if let Rest::Code(row) | Rest::Logic(row) = fires.rest {
             let code = self.codes[row as usize];
             let mut i = code.start as usize;
             while i < code.start as usize + code.len as usize {
@@ -264,17 +260,17 @@ impl Program<'_> {
 
     /// Whether a word holds the situation of a graph before that one.
     const fn is_earlier(&self, graph: &Graph, word: u16) -> bool {
-        self.layout.situations.start <= word && word < graph.words.start
+        self.layout.situations.start <= word && word < graph.first_word
     }
 
     /// Whether what a step arms first reads no situation of an earlier graph either.
     pub(super) const fn arms_see_no_earlier(&self, graph: &Graph) -> bool {
         let mut i = graph.steps.start as usize;
         while i < graph.steps.end() {
-            let arms = self.steps[i].arms;
+            let arms = self.steps[i].arms();
             let mut j = arms.start as usize;
             while j < arms.end() {
-                if self.is_earlier(graph, self.arms[j].word) {
+                if self.is_earlier(graph, self.terms[self.arms[j].term as usize].word) {
                     return false;
                 }
                 j += 1;
@@ -288,11 +284,9 @@ impl Program<'_> {
         if !links.is_within(self.links.len()) {
             return false;
         }
-        let first = graph.words.start as usize * 32;
         let mut i = links.start as usize;
         while i < links.end() {
-            let bit = self.links[i].0 as usize;
-            if bit < first || bit - first >= graph.steps.len as usize {
+            if self.links[i] >= graph.steps.len {
                 return false;
             }
             i += 1;

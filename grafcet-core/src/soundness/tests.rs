@@ -8,7 +8,7 @@ use self::good::{FIVE, GOOD, across, all, only, run, within};
 use super::{Unsound, demand};
 use crate::program::{
     Assignment, Bit, Code, Condition, Edge, Evolution, Forced, Layout, Number, Op, Preset, Program,
-    Rest, Run, Seen, Slot, Stamp, Term, Unit, Watch,
+    Rest, Run, Seen, Slot, Stamp, Step, Term, Unit, Watch,
 };
 
 const _: () = demand(&GOOD);
@@ -167,19 +167,15 @@ fn the_first_row_of_what_steps_do_does_nothing() {
 fn what_a_program_says_it_never_does_no_row_of_it_does() {
     program_refused! {
         lasting_in_steps = false => Duties;
-        stores_on_change = false => Duties;
+        stores_on_change = false, do_blocks = &[Run::EMPTY; 2] => Duties;
         momentary_varies = false => Momentary;
     }
     // The `do` block of a transition alone, and the condition of an independent statement alone.
     let duties = changed(GOOD.duties, |rows| rows[2].on_deactivation = Run::EMPTY);
-    let blocks = changed(GOOD.blocks, |rows| rows[0].on_deactivation = 0);
-    program_refused! { stores_on_change = false, duties = &duties, blocks = &blocks => Transitions; }
-    let momentary = changed(GOOD.momentary, |rows| rows[0].condition = all(0, 1));
+    let masks = changed(GOOD.masks, |rows| rows[1].on_deactivation = 0);
+    program_refused! { stores_on_change = false, duties = &duties, masks = &masks => DoBlocks; }
+    let momentary = changed(GOOD.momentary, |rows| rows[0].condition = 2);
     program_refused! { momentary_varies = false, dependent = &[], momentary = &momentary => Momentary; }
-    let timed = changed(GOOD.momentary, |rows| {
-        rows[0].condition = only(Rest::Elapsed(0));
-    });
-    program_refused! { momentary_varies = false, dependent = &[], momentary = &timed => Momentary; }
 }
 
 #[test]
@@ -198,7 +194,16 @@ fn stored_statements_write_only_what_is_stored() {
         stored[1].assignment = Assignment::Number(Number(2), FIVE) => Stored;
         stored[1].assignment = Assignment::Number(Number(4), FIVE) => Stored;
         stored[1].assignment = Assignment::Number(Number(3), Code { start: 0, len: 2 }) => Stored;
-        stored[1].condition = all(2, 0) => Stored;
+        stored[1].condition = all(4, 0) => Stored;
+    }
+}
+
+#[test]
+fn do_blocks_are_of_stored_statements_and_the_first_is_empty() {
+    refused! {
+        do_blocks[0] = run(1, 1) => DoBlocks;
+        do_blocks[1] = run(1, 2) => DoBlocks;
+        do_blocks[1] = run(3, 0) => DoBlocks;
     }
 }
 
@@ -217,9 +222,10 @@ fn momentary_statements_write_only_what_is_momentary() {
         targets[0].word = 6 => Momentary;
         targets[0].word = 8 => Momentary;
         momentary[0].targets = run(1, 1) => Momentary;
-        momentary[0].condition = all(2, 0) => Momentary;
+        momentary[0].condition = 5 => Momentary;
         dependent[0].owner = Some(Bit(32)) => Momentary;
         dependent[0].statement.targets = run(0, 2) => Momentary;
+        dependent[0].statement.condition = 5 => Momentary;
     }
 }
 
@@ -233,7 +239,7 @@ fn what_is_read_of_the_inputs_counts_as_read() {
         read_inputs = &[] => Layout;
         read_inputs = &[0b110] => Terms;
         read_inputs = &[0b101] => Terms;
-        read_inputs = &[0b011] => Arms;
+        read_inputs = &[0b011] => Terms;
     }
     let first_scan = Term {
         word: 0,

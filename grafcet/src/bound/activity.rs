@@ -48,7 +48,7 @@ impl Activity {
         let given = given(program, index, graph);
         let size = usize::from(graph.steps.len);
         let mut begins = given.clone();
-        if graph.enclosings.len == 0 {
+        if program.role(graph).enclosings.len == 0 {
             begins.push(situation(program, graph, graph.initial));
         }
         let steps = match size > MOST_STEPS && begins.iter().any(|set| !set.is_empty()) {
@@ -162,7 +162,10 @@ fn join_all(together: &mut Together, these: &[usize], those: &[usize]) -> bool {
 
 fn firings(program: &Program<'_>, graph: &Graph) -> Vec<Firing> {
     let steps = program.steps.get(graph.steps.indices()).unwrap_or_default();
-    let runs = steps.iter().map(|step| step.arms).chain([graph.sources]);
+    let runs = steps
+        .iter()
+        .map(|step| step.arms())
+        .chain([program.role(graph).sources]);
     let arms: BTreeMap<usize, &Arm> = runs
         .flat_map(|run| run.of(program.arms))
         .map(|arm| (usize::from(arm.transition), arm))
@@ -173,7 +176,7 @@ fn firings(program: &Program<'_>, graph: &Graph) -> Vec<Firing> {
             row,
             leaves: local(graph, program.entrance_steps(graph, transition)),
             enters: local(graph, program.exit_steps(graph, transition)),
-            trigger: Trigger::of(program, arms.get(&row).copied(), &transition.fires),
+            trigger: Trigger::of(program, arms.get(&row).copied(), transition),
         })
     };
     graph.transitions.indices().filter_map(firing).collect()
@@ -191,7 +194,7 @@ fn given(program: &Program<'_>, index: usize, graph: &Graph) -> Vec<Vec<usize>> 
         Forced::Set(set) => Some(set),
         Forced::Current => None,
     });
-    let enclosings = graph.enclosings.of(program.enclosings).iter();
+    let enclosings = program.role(graph).enclosings.of(program.enclosings).iter();
     let enclosed = enclosings.flat_map(|by| [Some(by.situation), by.at_start]);
     let sets = forced.chain(enclosed.flatten());
     sets.map(|set| situation(program, graph, set)).collect()

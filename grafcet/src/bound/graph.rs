@@ -40,7 +40,8 @@ impl Acting<'_> {
     /// Whether it ever does anything but look whether it is alive.
     pub fn can_be_active(&self) -> bool {
         let steps = &self.activity.steps;
-        self.graph.sources.len > 0 || (0..steps.size()).any(|step| steps.are(step, step))
+        self.rows.program.role(self.graph).sources.len > 0
+            || (0..steps.size()).any(|step| steps.are(step, step))
     }
 
     /// The most that it takes on a processor.
@@ -52,7 +53,7 @@ impl Acting<'_> {
         // When its own evolution is void, it stays what it was or takes what it is given.
         let void = self.heaviest(cpu, |place| self.void(place, part, cpu));
         let given = self.activity.given.iter().map(|set| {
-            let words = Work::of(Kind::Given, usize::from(self.graph.words.len));
+            let words = Work::of(Kind::Given, usize::from(self.graph.words().len));
             words + set.iter().map(|place| self.enter(*place, part)).sum()
         });
         let given = given.fold(Work::NONE, |most, set| most.or(set, cpu));
@@ -99,7 +100,7 @@ impl Acting<'_> {
     fn void(&self, place: usize, part: Part, cpu: Cpu) -> Work {
         let fired = match part {
             Part::End => 0,
-            Part::Scan | Part::Round => self.step(place).map_or(0, |step| step.arms.len),
+            Part::Scan | Part::Round => self.step(place).map_or(0, |step| step.arms().len),
         };
         self.look(place, part)
             + Work::of(self.rows.fire(), usize::from(fired))
@@ -118,7 +119,7 @@ impl Acting<'_> {
         };
         let rows = self.rows;
         let duties = rows.duties(step);
-        rows.visit(rows.arms(step.arms, true))
+        rows.visit(rows.arms(step.arms(), true))
             + rows.visit(duties.map_or(Work::NONE, |duties| rows.events(duties)))
     }
 
@@ -131,7 +132,7 @@ impl Acting<'_> {
         let duties = rows.duties(step);
         let orders = duties.map_or(Work::NONE, |it| rows.visit(rows.orders(it.orders)));
         let lasting = duties.map_or(Work::NONE, |it| rows.visit(rows.stored(it.stored)))
-            + rows.visit(rows.momentary(step.momentary));
+            + rows.visit(rows.momentary(step.momentary()));
         match part {
             Part::Scan => orders + lasting,
             Part::Round => orders,
@@ -176,7 +177,9 @@ impl Acting<'_> {
         let firings = self.activity.firings.iter().enumerate();
         let own = firings.filter(|(_, firing)| firing.leaves.is_empty());
         let own: Vec<usize> = own.map(|(at, _)| at).collect();
-        self.rows.arms(self.graph.sources, false) + self.together(&own, part, cpu)
+        self.rows
+            .arms(self.rows.program.role(self.graph).sources, false)
+            + self.together(&own, part, cpu)
     }
 
     fn together(&self, firings: &[usize], part: Part, cpu: Cpu) -> Work {

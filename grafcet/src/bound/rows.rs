@@ -96,18 +96,25 @@ impl<'p> Rows<'p> {
     pub fn arms(self, run: Run, known: bool) -> Work {
         self.each(run, self.program.arms, known, |arm, known| {
             let transition = self.program.transitions.get(usize::from(arm.transition));
-            let condition = transition.map(|it| self.condition(&it.fires, known));
+            let condition =
+                transition.map(|it| self.condition(&self.program.condition(it.fires), known));
             Work::one(either(known, Kind::Arm, Kind::ArmLooped)) + condition.unwrap_or(Work::NONE)
         })
     }
 
     /// What the firing of a transition takes itself.
     pub fn firing(self, transition: &Transition) -> Work {
-        let links = match transition.crossing {
+        let links = match self.program.crossing(transition) {
             Crossing::Within { .. } => 0,
-            Crossing::Across { entrance, exit } => usize::from(entrance.len + exit.len),
+            // Their graph is searched for by halves, which takes less for both than a link.
+            Crossing::Across { entrance, exit } => {
+                let halves = self.program.graphs.len().max(1).ilog2() as usize + 1;
+                usize::from(entrance.len + exit.len) + halves
+            }
         };
-        Work::one(self.fire()) + Work::of(Kind::Link, links) + self.stored(transition.actions)
+        Work::one(self.fire())
+            + Work::of(Kind::Link, links)
+            + self.stored(self.program.do_block(transition))
     }
 
     /// The kind of a firing.
@@ -126,7 +133,7 @@ impl<'p> Rows<'p> {
     /// The condition and the variables of a momentary statement.
     pub fn shown(self, row: &Momentary, known: bool) -> Work {
         let target = |_: &_, known| Work::one(either(known, Kind::Target, Kind::TargetLooped));
-        self.condition(&row.condition, known)
+        self.condition(&self.program.condition(row.condition), known)
             + self.each(row.targets, self.program.targets, known, target)
     }
 
@@ -181,14 +188,15 @@ impl<'p> Rows<'p> {
     /// What a graph has to do in the hierarchy whatever it is in.
     pub fn standing(self, graph: &Graph) -> Work {
         // Of a graph without steps little is left, even in a loop.
-        let known = self.has_one_graph() || graph.words.len == 0;
+        let (words, role) = (graph.words().len, self.program.role(graph));
+        let known = self.has_one_graph() || words == 0;
         Work::one(either(known, Kind::Graph, Kind::GraphLooped))
-            + Work::of(Kind::Ordered, usize::from(graph.words.len))
-            + Work::of(Kind::Enclosing, usize::from(graph.enclosings.len))
-            + self.watches(graph.self_watches, self.has_one_graph())
-            + self.watches(graph.watches, self.has_one_graph())
-            + self.orders(graph.self_orders)
-            + self.orders(graph.orders)
+            + Work::of(Kind::Ordered, usize::from(words))
+            + Work::of(Kind::Enclosing, usize::from(role.enclosings.len))
+            + self.watches(role.self_watches, self.has_one_graph())
+            + self.watches(role.watches, self.has_one_graph())
+            + self.orders(role.self_orders)
+            + self.orders(role.orders)
     }
 
     fn has_one_graph(self) -> bool {

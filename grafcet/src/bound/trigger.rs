@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use grafcet_core::program::{Arm, Code, Condition, Op, Program, Rest, Term};
+use grafcet_core::program::{Arm, Code, Op, Program, Rest, Term, Transition};
 
 /// Ways in which things can stand that are tried; where there are more, two triggers are taken to be True together.
 const MOST_WAYS: usize = 1 << 14;
@@ -51,12 +51,9 @@ impl Thing {
 impl Trigger {
     /// Of a transition, with the term in its arm.
     #[must_use]
-    pub fn of(program: &Program<'_>, arm: Option<&Arm>, fires: &Condition) -> Self {
-        let first = arm.map(|arm| Term {
-            word: arm.word,
-            mask: arm.mask,
-            state: arm.state,
-        });
+    pub fn of(program: &Program<'_>, arm: Option<&Arm>, transition: &Transition) -> Self {
+        let first = arm.and_then(|arm| program.terms.get(usize::from(arm.term)).copied());
+        let fires = program.condition(transition.fires);
         let terms = fires.terms.of(program.terms).iter().copied();
         let code = |row: u16| program.codes.get(usize::from(row));
         let rest = match fires.rest {

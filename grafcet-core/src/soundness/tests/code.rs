@@ -22,11 +22,19 @@ fn a_timer_on_a_step_knows_its_bit_its_stamp_and_its_preset() {
 #[test]
 fn a_condition_stays_within_the_tables() {
     refused! {
-        transitions[0].fires = all(1, 1) => Transitions;
-        transitions[0].fires = only(Rest::Elapsed(2)) => Transitions;
-        transitions[0].fires = only(Rest::Running(2)) => Transitions;
-        transitions[0].fires = only(Rest::Code(3)) => Transitions;
-        transitions[0].fires = only(Rest::Logic(3)) => Transitions;
+        conditions[2] = all(3, 1) => Conditions;
+        conditions[2] = only(Rest::Elapsed(2)) => Conditions;
+        conditions[2] = only(Rest::Running(2)) => Conditions;
+        conditions[2] = only(Rest::Code(3)) => Conditions;
+        conditions[2] = only(Rest::Logic(3)) => Conditions;
+    }
+}
+
+#[test]
+fn the_first_condition_always_holds() {
+    refused! {
+        conditions[0] = all(0, 1) => Conditions;
+        conditions[0] = only(Rest::Elapsed(0)) => Conditions;
     }
 }
 
@@ -51,12 +59,12 @@ fn code_gets_by_with_its_stack() {
 #[test]
 fn logic_is_code_on_nothing_but_booleans() {
     refused! {
-        transitions[4].fires = only(Rest::Logic(0)) => Transitions;
-        transitions[4].fires = only(Rest::Logic(2)) => Transitions;
-        ops[3] = Op::Number(Number(3)) => Transitions;
-        ops[3] = Op::Constant(2) => Transitions;
-        ops[4] = Op::Negate => Transitions;
-        ops[6] = Op::Equal => Transitions;
+        conditions[4] = only(Rest::Logic(0)) => Conditions;
+        conditions[4] = only(Rest::Logic(2)) => Conditions;
+        ops[3] = Op::Number(Number(3)) => Conditions;
+        ops[3] = Op::Constant(2) => Conditions;
+        ops[4] = Op::Negate => Conditions;
+        ops[6] = Op::Equal => Conditions;
     }
     for constant in [0, 1] {
         let ops = changed(GOOD.ops, |ops| ops[3] = Op::Constant(constant));
@@ -92,5 +100,5 @@ fn deep_logic(depth: usize) -> Option<Unsound> {
 #[test]
 fn logic_works_on_32_booleans_at_once_and_no_more() {
     assert_eq!(deep_logic(32), None);
-    assert_eq!(deep_logic(33), Some(Unsound::Transitions));
+    assert_eq!(deep_logic(33), Some(Unsound::Conditions));
 }

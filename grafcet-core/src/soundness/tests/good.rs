@@ -2,9 +2,9 @@
 
 use crate::program::{
     Arm, Assignment, Bit, Block, Code, Condition, Crossing, Dependent, Duties, Edge, Edges,
-    Enclosing, Event, Evolution, Forced, Graph, Layout, Macro, Momentary, Number, NumberRow, Op,
-    Order, Preset, Program, Rest, Retained, Run, Seen, Slot, Stamp, Step, Stored, Target, Term,
-    Timer, Transition, Unit, Watch,
+    Enclosing, Event, Evolution, Forced, Graph, Layout, Macro, Masks, Momentary, Number, NumberRow,
+    Op, Order, Preset, Program, Rest, Retained, Role, Run, Seen, Slot, Stamp, Step, Stored, Target,
+    Term, Timer, Transition, Unit, Watch,
 };
 
 pub(super) const fn run(start: u16, len: u16) -> Run {
@@ -34,9 +34,11 @@ const FREE: NumberRow = NumberRow {
 };
 
 const STEP: Step = Step {
-    arms: Run::EMPTY,
-    momentary: Run::EMPTY,
+    first_arm: 0,
+    first_momentary: 0,
     duties: 0,
+    arm_count: 0,
+    momentary_count: 0,
 };
 
 const NOTHING: Duties = Duties {
@@ -50,40 +52,28 @@ const NOTHING: Duties = Duties {
 
 const GRAPH: Graph = Graph {
     steps: Run::EMPTY,
-    words: Run::EMPTY,
+    first_word: 0,
     transitions: Run::EMPTY,
-    sources: Run::EMPTY,
     initial: 0,
-    enclosings: Run::EMPTY,
-    orders: Run::EMPTY,
-    self_orders: Run::EMPTY,
-    watches: Run::EMPTY,
-    self_watches: Run::EMPTY,
+    role: 0,
 };
 
 const fn arm(transition: u16) -> Arm {
     Arm {
         transition,
-        word: 0,
-        mask: 0,
-        state: 0,
+        term: 1,
     }
 }
 
 const fn block(first: u16) -> Block {
     Block {
         first,
+        masks: 0,
         momentary: 0,
-        timed: 0,
-        stored: 0,
-        on_activation: 0,
-        on_deactivation: 0,
-        on_event: 0,
-        forcing: 0,
     }
 }
 
-const fn transition(fires: Condition, crossing: Crossing, actions: Run) -> Transition {
+const fn transition(fires: u16, crossing: u16, actions: u16) -> Transition {
     Transition {
         fires,
         crossing,
@@ -107,18 +97,23 @@ pub(super) const FIVE: Code = Code { start: 1, len: 1 };
 const STEPS: [Step; 37] = {
     let mut steps = [STEP; 37];
     steps[0] = Step {
-        arms: run(0, 1),
-        momentary: run(0, 1),
+        first_arm: 0,
+        first_momentary: 0,
         duties: 1,
+        arm_count: 1,
+        momentary_count: 1,
     };
     steps[1] = Step {
-        arms: run(1, 1),
-        momentary: Run::EMPTY,
+        first_arm: 1,
         duties: 2,
+        arm_count: 1,
+        ..STEP
     };
     steps[2].duties = 3;
-    steps[4].arms = run(3, 1);
-    steps[36].arms = run(4, 1);
+    steps[4].first_arm = 3;
+    steps[4].arm_count = 1;
+    steps[36].first_arm = 4;
+    steps[36].arm_count = 1;
     steps
 };
 
@@ -153,34 +148,52 @@ pub(super) const GOOD: Program<'static> = Program {
     graphs: &[
         Graph {
             steps: run(0, 3),
-            words: run(2, 1),
+            first_word: 2,
             transitions: run(0, 2),
             initial: 0,
-            self_orders: run(1, 1),
-            ..GRAPH
+            role: 1,
         },
         Graph {
             steps: run(3, 1),
-            words: run(3, 1),
+            first_word: 3,
             transitions: run(2, 1),
-            sources: run(2, 1),
             initial: 1,
-            enclosings: run(0, 1),
-            ..GRAPH
+            role: 2,
         },
         Graph {
             steps: run(4, 33),
-            words: run(4, 2),
+            first_word: 4,
             transitions: run(3, 2),
             initial: 3,
             ..GRAPH
+        },
+    ],
+    roles: &[
+        Role::NONE,
+        Role {
+            self_orders: run(1, 1),
+            ..Role::NONE
+        },
+        Role {
+            sources: run(2, 1),
+            enclosings: run(0, 1),
+            ..Role::NONE
         },
     ],
     hierarchy: &[0, 1, 2],
     blocks: &[
         Block {
             first: 0,
+            masks: 1,
             momentary: 0b001,
+        },
+        block(3),
+        block(4),
+        block(36),
+    ],
+    masks: &[
+        Masks::NONE,
+        Masks {
             timed: 0b001,
             stored: 0b010,
             on_activation: 0,
@@ -188,9 +201,6 @@ pub(super) const GOOD: Program<'static> = Program {
             on_event: 0b010,
             forcing: 0b100,
         },
-        block(3),
-        block(4),
-        block(36),
     ],
     steps: &STEPS,
     duties: &[
@@ -217,27 +227,25 @@ pub(super) const GOOD: Program<'static> = Program {
         activated: None,
     }],
     transitions: &[
-        transition(all(0, 1), within(0b001, 0b010), Run::EMPTY),
-        transition(COMPARED, within(0b010, 0b101), run(1, 1)),
-        transition(Condition::ALWAYS, within(0, 0b1), Run::EMPTY),
-        transition(
-            only(Rest::Elapsed(0)),
-            across(run(0, 1), run(1, 1)),
-            Run::EMPTY,
-        ),
-        transition(
-            only(Rest::Logic(1)),
-            across(run(1, 1), run(0, 1)),
-            Run::EMPTY,
-        ),
+        transition(2, 0, 0),
+        transition(1, 1, 1),
+        transition(0, 2, 0),
+        transition(3, 3, 0),
+        transition(4, 4, 0),
     ],
-    links: &[Bit(128), Bit(160)],
+    crossings: &[
+        within(0b001, 0b010),
+        within(0b010, 0b101),
+        within(0, 0b1),
+        across(run(0, 1), run(1, 1)),
+        across(run(1, 1), run(0, 1)),
+    ],
+    do_blocks: &[Run::EMPTY, run(1, 1)],
+    links: &[0, 32],
     arms: &[
         Arm {
             transition: 0,
-            word: 1,
-            mask: 0b100,
-            state: 0b100,
+            term: 2,
         },
         arm(1),
         arm(2),
@@ -291,14 +299,14 @@ pub(super) const GOOD: Program<'static> = Program {
     }],
     momentary: &[Momentary {
         targets: run(0, 1),
-        condition: Condition::ALWAYS,
+        condition: 0,
     }],
     always_momentary: Run::EMPTY,
     dependent: &[Dependent {
         owner: Some(Bit(64)),
         statement: Momentary {
             targets: run(0, 1),
-            condition: COMPARED,
+            condition: 1,
         },
     }],
     edges: &[Edges {
@@ -346,11 +354,30 @@ pub(super) const GOOD: Program<'static> = Program {
     trigger_watches: run(0, 2),
     round_watches: Run::EMPTY,
     action_watches: run(2, 3),
-    terms: &[Term {
-        word: 1,
-        mask: 0b11,
-        state: 0b01,
-    }],
+    conditions: &[
+        Condition::ALWAYS,
+        COMPARED,
+        all(0, 1),
+        only(Rest::Elapsed(0)),
+        only(Rest::Logic(1)),
+    ],
+    terms: &[
+        Term {
+            word: 1,
+            mask: 0b11,
+            state: 0b01,
+        },
+        Term {
+            word: 0,
+            mask: 0,
+            state: 0,
+        },
+        Term {
+            word: 1,
+            mask: 0b100,
+            state: 0b100,
+        },
+    ],
     timers: &[
         Timer {
             step: Bit(64),
