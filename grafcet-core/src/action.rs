@@ -29,7 +29,6 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
     }
 
     /// Phase 6, the statements that belong to a change: `do`, `on event`, `on deactivation`, `on activation`.
-    #[inline(always)]
     pub(crate) fn run_changes(&mut self) {
         let tables = self.tables;
         let program = tables.program();
@@ -107,9 +106,33 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
 
     #[inline(always)]
     fn run_stored(&mut self, rows: Run) {
+        if rows.len > 0 {
+            self.run_rows(rows);
+        }
+    }
+
+    /// Kept apart, since written out at every place they would be long code.
+    fn run_rows(&mut self, rows: Run) {
         let tables = self.tables;
-        if let Some(rows) = rows.some(tables.program().stored) {
-            each::<P, Stored>(rows, &mut Storing { engine: self });
+        for row in rows.of(tables.program().stored) {
+            self.store(row);
+        }
+    }
+
+    #[inline(always)]
+    fn store(&mut self, row: &Stored) {
+        if !self.holds(&row.condition) {
+            return;
+        }
+        match row.assignment {
+            Assignment::Bit(bit, value) => {
+                let value = self.holds(&value);
+                self.set_bit(bit, value);
+            }
+            Assignment::Number(number, value) => {
+                let value = self.value_of(value);
+                self.store_number(number, value);
+            }
         }
     }
 
@@ -179,7 +202,11 @@ impl<P: Compiled, M: Memory> VisitSteps for Acting<'_, P, M> {
                     self.engine.memory.set_stamp(stamp, self.engine.now_ms);
                 }
             }
-            Part::Stored => self.engine.run_stored(duties.stored),
+            Part::Stored => match duties.stored.of(program.stored) {
+                // Mostly it is one.
+                [row] if P::UNROLLED => self.engine.store(row),
+                _ => self.engine.run_stored(duties.stored),
+            },
             Part::OnActivation => self.engine.run_stored(duties.on_activation),
             Part::OnDeactivation => self.engine.run_stored(duties.on_deactivation),
             Part::OnEvent => {
@@ -194,30 +221,6 @@ impl<P: Compiled, M: Memory> VisitSteps for Acting<'_, P, M> {
 
     #[inline(always)]
     fn leave(&mut self, _: usize) {}
-}
-
-/// Executes stored statements.
-struct Storing<'e, P, M> {
-    engine: &'e mut Engine<P, M>,
-}
-
-impl<P: Compiled, M: Memory> Visit<Stored> for Storing<'_, P, M> {
-    #[inline(always)]
-    fn row(&mut self, row: &Stored) {
-        if !self.engine.holds(&row.condition) {
-            return;
-        }
-        match row.assignment {
-            Assignment::Bit(bit, value) => {
-                let value = self.engine.holds(&value);
-                self.engine.set_bit(bit, value);
-            }
-            Assignment::Number(number, value) => {
-                let value = self.engine.value_of(value);
-                self.engine.store_number(number, value);
-            }
-        }
-    }
 }
 
 /// Raises what momentary statements show.

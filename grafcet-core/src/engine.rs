@@ -327,6 +327,12 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
         moved
     }
 
+    /// Phases 2 to 5 of a round, kept apart from the loop around it: the compiler would work on both for minutes.
+    #[inline(never)]
+    fn round(&mut self, pass: Pass) -> bool {
+        self.evolve(pass)
+    }
+
     /// Rounds of phases 2 to 5 with the statements that belong to a change, until nothing fires or the situation is
     /// the one before the round. When the last permitted round still changed it, the program is unstable.
     /// True when a transition has fired or a situation has changed in one of them.
@@ -338,7 +344,7 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
         let mut moved = false;
         let mut settled = false;
         for _ in 0..MAX_ROUNDS {
-            moved |= self.evolve(pass);
+            moved |= self.round(pass);
             self.memory.note_passed();
             if pass == Pass::First {
                 self.watch(program.round_watches, pass);

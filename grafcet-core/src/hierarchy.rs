@@ -8,6 +8,9 @@ use crate::sets::Set;
 use crate::walk::{Visit, each};
 use crate::watch::Pass;
 
+/// Graphs of a hierarchy for each of which there is code of its own.
+const FEW: usize = 4;
+
 /// Where a graph takes its situation from.
 enum Decision {
     /// Nothing active.
@@ -54,23 +57,45 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
     }
 
     /// Phase 4. False when every graph has kept to its own evolution.
+    #[inline(always)]
     pub(crate) fn settle_hierarchy(&mut self, pass: Pass) -> bool {
         let tables = self.tables;
         let program = tables.program();
         let mut bound = false;
-        for &index in program.hierarchy {
-            let Some(graph) = program.graphs.get(usize::from(index)) else {
-                continue;
-            };
-            let role = program.role(graph);
-            self.watch(role.self_watches, pass);
-            // An order of a superior stands against these, whose conditions are evaluated all the same.
-            self.give_orders(role.self_orders);
-            bound |= self.settle(graph, role, index, pass);
-            self.watch(role.watches, pass);
-            self.give_orders(role.orders);
-            self.give_orders_of_steps(graph);
+        if program.hierarchy.len() > FEW {
+            for index in program.hierarchy {
+                bound |= self.settle_apart(*index, pass);
+            }
+        } else {
+            for index in program.hierarchy {
+                bound |= self.settle_and_order(*index, pass);
+            }
         }
+        bound
+    }
+
+    /// One graph of many, for each of which code of its own would be long.
+    #[inline(never)]
+    fn settle_apart(&mut self, index: u16, pass: Pass) -> bool {
+        self.settle_and_order(index, pass)
+    }
+
+    /// Settles a graph and gives its orders. False when it keeps to its own evolution.
+    #[inline(always)]
+    fn settle_and_order(&mut self, index: u16, pass: Pass) -> bool {
+        let tables = self.tables;
+        let program = tables.program();
+        let Some(graph) = program.graphs.get(usize::from(index)) else {
+            return false;
+        };
+        let role = program.role(graph);
+        self.watch(role.self_watches, pass);
+        // An order of a superior stands against these, whose conditions are evaluated all the same.
+        self.give_orders(role.self_orders);
+        let bound = self.settle(graph, role, index, pass);
+        self.watch(role.watches, pass);
+        self.give_orders(role.orders);
+        self.give_orders_of_steps(graph);
         bound
     }
 
