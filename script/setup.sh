@@ -9,6 +9,10 @@ DEFMT_PRINT_VERSION=1.2.0
 ELF2UF2_VERSION=2.2.0
 # Cargo's own variable moves the build directory for everybody alike.
 BUILD_DIR="${CARGO_TARGET_DIR:-target}"
+# The image that was built last; those that are kept for tests, by name; and the random programs of some of them.
+IMAGE="$BUILD_DIR/$TARGET/release/plc"
+IMAGES="$BUILD_DIR/test-images"
+RANDOM_PROGRAMS="$BUILD_DIR/random-programs"
 
 say() { printf '%s\n' "── $*" >&2; }
 
@@ -33,6 +37,13 @@ setup_target() {
     fi
 }
 
+# install_tool PACKAGE VERSION [CARGO-ARGUMENT...]: into .tools. Not optimised: building takes longer than it ever runs.
+install_tool() {
+    say "building $1 $2 (once, about a minute)"
+    CARGO_TARGET_DIR="$BUILD_DIR/tools" CARGO_PROFILE_RELEASE_OPT_LEVEL=0 \
+        cargo install --quiet --locked --root .tools "$1" --version "$2" "${@:3}"
+}
+
 # The emulated Pico: its packages, and the decoder of the image's log lines.
 setup_emulator() {
     setup_target
@@ -44,9 +55,7 @@ setup_emulator() {
         cp emulator/package-lock.json emulator/node_modules/.installed-lock
     fi
     if ! .tools/bin/defmt-print --version 2>/dev/null | grep -qF "$DEFMT_PRINT_VERSION"; then
-        say "building defmt-print $DEFMT_PRINT_VERSION (once, about a minute)"
-        CARGO_TARGET_DIR="$BUILD_DIR/tools" cargo install --quiet --locked --root .tools \
-            defmt-print --version "$DEFMT_PRINT_VERSION"
+        install_tool defmt-print "$DEFMT_PRINT_VERSION"
     fi
 }
 
@@ -70,10 +79,15 @@ setup_counter() {
 setup_uf2() {
     setup_host
     if ! cargo install --list --root .tools 2>/dev/null | grep -qxF "elf2uf2-rs v$ELF2UF2_VERSION:"; then
-        say "building elf2uf2-rs $ELF2UF2_VERSION (once, about a minute)"
-        CARGO_TARGET_DIR="$BUILD_DIR/tools" cargo install --quiet --locked --root .tools --no-default-features \
-            elf2uf2-rs --version "$ELF2UF2_VERSION"
+        install_tool elf2uf2-rs "$ELF2UF2_VERSION" --no-default-features
     fi
+}
+
+# build_host TEST: a test of `cargo test`, and the programs that it and its neighbours run, as $BUILD_DIR/debug/NAME.
+# Chosen from the whole workspace, as there: for one package alone cargo would choose other features of what all share,
+# and build most of it anew.
+build_host() {
+    cargo test --locked --quiet --workspace --no-run --test "$1"
 }
 
 # Builds the image; prints nothing but progress. The ELF is $IMAGE. Arguments go to cargo.
@@ -84,10 +98,10 @@ build_image() {
     local registry="${CARGO_HOME:-$HOME/.cargo}/registry/src"
     cargo build --locked --release --target "$TARGET" --package plc --bin plc \
         --config "target.$TARGET.rustflags=[\"--remap-path-prefix=$registry=registry\"]" "$@"
-    IMAGE="$BUILD_DIR/$TARGET/release/plc"
 }
 
-# build_bench_image PROGRAM CPU OUT: the program and the engine, bare, for counting instructions. Paths are absolute.
+# build_bench_image PROGRAM CPU OUT [CARGO-ARGUMENT...]: the program and the engine, bare, for counting instructions.
+# The path of PROGRAM is absolute.
 build_bench_image() {
     local program=$1 cpu=$2 out=$3 target=$TARGET log
     # Floating point in registers would be of no use: there is none in the engine.
@@ -100,7 +114,7 @@ build_bench_image() {
     # Nobody moves an image to where it is run, as is usual on x86.
     if ! BENCH_PROGRAM=$program cargo build --locked --quiet --profile bench-image --target "$target" \
         --config 'target.x86_64-unknown-none.rustflags=["-Crelocation-model=static"]' \
-        --package bench-image 2>"$log"; then
+        --package bench-image "${@:4}" 2>"$log"; then
         # Of a wrong program only what the compiler says of it, which cargo indents.
         if grep -q '^ *--- stderr' "$log"; then
             sed '1,/^ *--- stderr/d; s/^  //' "$log" >&2
@@ -114,17 +128,34 @@ build_bench_image() {
     cp "$BUILD_DIR/$target/bench-image/bench-image" "$out"
 }
 
-# Builds the images of the applications that tests use, each as $IMAGES/NAME: those of tests/emulated/applications, the
-# random ones, which a test of the reference writes to $RANDOM_PROGRAMS, the drilling station, and the mixing tank, whose soft
-# PLC lies beside the switcher's. The tasks of `tolerant` hang when a test tells them to.
-build_test_images() {
-    IMAGES="$BUILD_DIR/test-images"
-    RANDOM_PROGRAMS="$BUILD_DIR/tmp/applications"
+TANK=graphs/examples/mixing_tank/plc.toml
+
+# What the tests of the image need of this computer before the images are built: the random programs, which a test of
+# the reference writes, and the soft PLC of the mixing tank. The next `cargo test` puts the switcher's in its place.
+prepare_test_images() {
+    # When it fails it fails among the others, too, and says why.
+    cargo test --locked --quiet --workspace --test differential board:: >/dev/null &&
+        rm -rf "$RANDOM_PROGRAMS" &&
+        # The test writes them anew each time, maybe while images are built of them.
+        cp -r "$BUILD_DIR/tmp/applications" "$RANDOM_PROGRAMS" &&
+        PLC=$TANK build_host host &&
+        cp "$BUILD_DIR/debug/plc" "$BUILD_DIR/debug/plc-mixing_tank"
+}
+
+# Builds the image that is flashed and keeps it as $IMAGES/plc: others come to its place.
+build_first_image() {
+    rm -rf "$IMAGES"
     mkdir -p "$IMAGES"
-    cargo test --locked --quiet --package grafcet-reference --test differential board::
+    build_image --quiet
+    cp "$IMAGE" "$IMAGES/plc"
+}
+
+# Builds the images of the applications that tests use, each as $IMAGES/NAME: those of tests/emulated/applications, the
+# random ones, the drilling station, and the mixing tank. The tasks of `tolerant` hang when a test tells them to.
+build_test_images() {
     local wiring name features
-    local station=graphs/examples/drilling_station/plc.toml tank=graphs/examples/mixing_tank/plc.toml
-    for wiring in tests/emulated/applications/*/plc.toml "$RANDOM_PROGRAMS"/*/plc.toml "$station" "$tank"; do
+    local station=graphs/examples/drilling_station/plc.toml
+    for wiring in tests/emulated/applications/*/plc.toml "$RANDOM_PROGRAMS"/*/plc.toml "$station" "$TANK"; do
         # Quietly: what a program that has to show everything is warned of is no news.
         name=$(basename "$(dirname "$wiring")")
         features=()
@@ -132,8 +163,4 @@ build_test_images() {
         PLC=$wiring build_image --quiet "${features[@]}"
         cp "$IMAGE" "$IMAGES/$name"
     done
-    PLC=$tank cargo build --locked --quiet --package plc
-    cp "$BUILD_DIR/debug/plc" "$BUILD_DIR/debug/plc-mixing_tank"
-    # The last one stays where the other scripts look for it.
-    cargo build --locked --quiet --package plc
 }
