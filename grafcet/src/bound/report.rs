@@ -26,7 +26,7 @@ pub struct Clocks {
 impl Clocks {
     fn of(self, cpu: Cpu) -> u64 {
         u64::from(match cpu {
-            Cpu::M0plusSmall | Cpu::M0plus => self.m0plus,
+            Cpu::M0plusFlashed | Cpu::M0plus => self.m0plus,
             Cpu::M4 => self.m4,
         })
     }

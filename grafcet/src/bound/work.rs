@@ -5,8 +5,8 @@ use std::ops::{Add, AddAssign, Mul};
 /// A processor that images are built for, and how.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Cpu {
-    /// Cortex-M0+, optimised for size, as the image of the Pico is.
-    M0plusSmall,
+    /// Cortex-M0+, compiled as for the image of the Pico.
+    M0plusFlashed,
     /// Cortex-M0+, optimised for speed.
     M0plus,
     /// Cortex-M4, optimised for speed.
@@ -15,13 +15,13 @@ pub enum Cpu {
 
 impl Cpu {
     /// All of them.
-    pub const ALL: [Cpu; 3] = [Cpu::M0plusSmall, Cpu::M0plus, Cpu::M4];
+    pub const ALL: [Cpu; 3] = [Cpu::M0plusFlashed, Cpu::M0plus, Cpu::M4];
 
     /// What it is called.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
-            Cpu::M0plusSmall => "Cortex-M0+ small",
+            Cpu::M0plusFlashed => "Cortex-M0+ flashed",
             Cpu::M0plus => "Cortex-M0+",
             Cpu::M4 => "Cortex-M4",
         }
@@ -31,7 +31,7 @@ impl Cpu {
     #[must_use]
     pub const fn id(self) -> &'static str {
         match self {
-            Cpu::M0plusSmall => "m0plus_small",
+            Cpu::M0plusFlashed => "m0plus_flashed",
             Cpu::M0plus => "m0plus",
             Cpu::M4 => "m4",
         }
@@ -56,7 +56,7 @@ macro_rules! kinds {
             const fn cost(self, cpu: Cpu) -> u64 {
                 let (small, m0plus, m4) = match self { $(Kind::$kind => ($small, $m0plus, $m4)),* };
                 match cpu {
-                    Cpu::M0plusSmall => small,
+                    Cpu::M0plusFlashed => small,
                     Cpu::M0plus => m0plus,
                     Cpu::M4 => m4,
                 }

@@ -16,8 +16,8 @@ the inputs do, computed from the program's compiled tables: what every scan does
 graph the steps that take the most of those that can be active together. Microseconds are two
 cycles an instruction at the clock.
 
-\"small\" is code that is optimised for size, as in the image for the Pico; the other rows are optimised
-for speed, as by script/bench-image. The bound was calibrated by counting, with code and tables in
+\"flashed\" is code that is compiled as in the image for the Pico; the other rows are compiled as by
+script/bench-image. The bound was calibrated by counting, with code and tables in
 memory without wait states. It does not cover interrupts, reading and writing pins, the log, writing
 to flash, and waiting for code in an external flash (the Pico's).
 
