@@ -35,6 +35,8 @@ pub struct Observer {
     names: &'static Names<'static>,
     arithmetic_faults: i32,
     unstable: bool,
+    /// Scan 0 has been observed. The engine itself does not keep it in mind where no program reads it.
+    begun: bool,
 }
 
 impl Observer {
@@ -45,6 +47,7 @@ impl Observer {
             names,
             arithmetic_faults: 0,
             unstable: false,
+            begun: false,
         }
     }
 
@@ -54,6 +57,7 @@ impl Observer {
         for (index, graph) in graphs.filter(|(index, _)| engine.graph_changed(*index)) {
             self.log_change(engine, index, graph);
         }
+        self.begun = true;
         let faults = engine.number(Number::ARITHMETIC_FAULTS);
         if faults != self.arithmetic_faults {
             self.arithmetic_faults = faults;
@@ -76,7 +80,7 @@ impl Observer {
         if fired.peek().is_none() {
             let before = self.steps(|| engine.steps_before(index));
             let now = self.steps(|| engine.active_steps(index));
-            if engine.bit(Bit::FIRST_SCAN) {
+            if !self.begun {
                 note!("{} starts in {}", name, now);
                 return;
             }
