@@ -31,14 +31,16 @@ fn build() -> Result<(), String> {
     let text = read(Path::new(&path)).map_err(failed)?;
     let folder = Path::new(&path).parent().unwrap_or(Path::new("."));
     let load = |name: &str| read(&folder.join(name));
-    let compiled = compile(&path, &text, &load, Target::Host);
-    let Some(application) = &compiled.application else {
+    let mut compiled = compile(&path, &text, &load, Target::Host);
+    let Some(application) = &mut compiled.application else {
         return Err(render(
             &compiled.diagnostics,
             &compiled.sources,
             Style::default(),
         ));
     };
+    let tables = &mut application.controller.tables;
+    *tables = tables.clone().unwatched();
     let tables = emit::source(emit::program(application)).map_err(|error| error.to_string())?;
     let lanes = lanes(&application.controller.symbols.variables);
     let out = PathBuf::from(env::var_os("OUT_DIR").unwrap_or_default()).join("program.rs");

@@ -44,6 +44,7 @@ pub struct Tables {
     pub read_inputs: Vec<u32>,
     pub reads_first_scan: bool,
     pub crosses_at_once: bool,
+    pub marks_all: bool,
     pub graphs: Vec<Graph>,
     pub roles: Vec<Role>,
     pub hierarchy: Vec<u16>,
@@ -87,6 +88,25 @@ pub struct Tables {
 }
 
 impl Tables {
+    /// The tables for an image in which nobody looks between two scans at which transitions have fired and which steps
+    /// were active before: neither is kept then, unless the program itself asks for it.
+    #[must_use]
+    pub fn unwatched(mut self) -> Self {
+        let program = self.program();
+        let (fired, was_active) = (program.asks_what_fired(), program.asks_what_was_active());
+        self.marks_all = fired;
+        if !fired && self.links.is_empty() {
+            self.layout.fired = 0;
+        }
+        if !was_active {
+            self.layout.before = 0;
+        }
+        if self.layout.sets > 0 {
+            self.layout.sets = u16::try_from(self.layout.set_words()).unwrap_or(u16::MAX);
+        }
+        self
+    }
+
     /// The program, as an engine takes it.
     #[must_use]
     pub fn program(&self) -> Program<'_> {
@@ -98,6 +118,7 @@ impl Tables {
             read_inputs: &self.read_inputs,
             reads_first_scan: self.reads_first_scan,
             crosses_at_once: self.crosses_at_once,
+            marks_all: self.marks_all,
             graphs: &self.graphs,
             roles: &self.roles,
             hierarchy: &self.hierarchy,

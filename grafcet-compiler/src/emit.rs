@@ -181,7 +181,7 @@ fn storage(tables: &Tables) -> TokenStream {
     let sizes = [
         ("image", usize::from(layout.words)),
         ("numbers", usize::from(layout.numbers)),
-        ("before", layout.situation_words()),
+        ("before", usize::from(layout.before)),
         ("before_scan", usize::from(layout.remembered)),
         ("fired", usize::from(layout.fired)),
         ("passed", usize::from(layout.passed)),
@@ -190,6 +190,7 @@ fn storage(tables: &Tables) -> TokenStream {
         ("standings", usize::from(layout.standings)),
         ("shown", usize::from(layout.shown)),
         ("sets", usize::from(layout.sets)),
+        ("armed", usize::from(layout.armed)),
     ];
     let sizes = sizes.map(|(name, length)| {
         let (name, length) = (format_ident!("{name}"), Literal::usize_unsuffixed(length));

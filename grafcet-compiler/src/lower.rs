@@ -17,6 +17,7 @@ mod places;
 mod plant;
 mod pool;
 mod reads;
+mod sequence;
 mod structure;
 mod symbols;
 mod unit;

@@ -3,7 +3,7 @@
 use crate::engine::Engine;
 use crate::memory::Memory;
 use crate::program::{
-    Assignment, Block, Compiled, Dependent, Momentary, Run, Step, Stored, Target, VisitSteps,
+    Armed, Assignment, Block, Compiled, Dependent, Momentary, Run, Sequel, Step, Stored, Target, VisitSteps,
 };
 use crate::sets::Set;
 use crate::walk::{Visit, each};
@@ -231,10 +231,47 @@ struct Showing<'e, P, M> {
     shown: u32,
 }
 
+impl<P: Compiled, M: Memory> Showing<'_, P, M> {
+    /// Raises what the only active step of a word shows, if that is known.
+    #[inline(always)]
+    fn show(&mut self, place: usize) -> bool {
+        let tables = self.engine.tables;
+        let program = tables.program();
+        let armed = self.engine.memory.armed(place);
+        let Some(arm) = program.arms.get(armed.row()) else {
+            return false;
+        };
+        match arm.sequel.shows {
+            Sequel::SHOWS_NOTHING => {}
+            Sequel::SHOWS_MORE => return false,
+            row => {
+                if let Some(target) = program.targets.get(usize::from(row.wrapping_sub(1))) {
+                    self.row(target);
+                }
+            }
+        }
+        true
+    }
+}
+
 impl<P: Compiled, M: Memory> VisitSteps for Showing<'_, P, M> {
     #[inline(always)]
     fn groups(&self, row: usize) -> u32 {
         self.engine.memory.members(Set::Lively, row)
+    }
+
+    #[inline(always)]
+    fn follow(&mut self, from: usize, end: usize) -> usize {
+        let mut place = from;
+        while place < end && self.show(place) {
+            place += 1;
+        }
+        place
+    }
+
+    #[inline(always)]
+    fn passes(&mut self, place: usize) -> bool {
+        self.engine.memory.armed(place) == Armed::NOTHING
     }
 
     #[inline(always)]

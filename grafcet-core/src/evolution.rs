@@ -3,7 +3,7 @@
 use crate::bits::{bits_in_word, set_bits_of};
 use crate::engine::Engine;
 use crate::memory::Memory;
-use crate::program::{Arm, Block, Compiled, Crossing, Graph, Run, Step, Transition};
+use crate::program::{Arm, Armed, Block, Compiled, Course, Crossing, Graph, Run, Step, Transition};
 use crate::sets::{GROUP, Set, rows};
 use crate::walk::{Visit, VisitSteps, each};
 
@@ -23,7 +23,8 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
             now: 0,
             leaves: 0,
             enters: 0,
-            lively: 0,
+            first_arm: 0,
+            armed: Armed::UNKNOWN,
         };
         tables.each_step(&mut marking);
         for graph in program.sources {
@@ -32,10 +33,26 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
             }
         }
         let mut marked = marking.marked;
-        if let [marks] = self.memory.store.fired() {
+        if program.marks_all
+            && let [marks] = self.memory.store.fired()
+        {
             marked.any = *marks != 0;
         }
         marked
+    }
+
+    /// Whether a term holds.
+    #[inline(always)]
+    fn term_holds(&self, row: usize) -> bool {
+        let tables = self.tables;
+        let term = tables.program().terms.get(row);
+        term.is_some_and(|term| term.holds(self.memory.store.image()))
+    }
+
+    /// Whether a condition holds. Kept apart, since it is long where few ask for it.
+    #[inline(never)]
+    fn holds_apart(&mut self, row: u16) -> bool {
+        self.holds_row(row)
     }
 
     /// A word of the situations of now.
@@ -96,8 +113,15 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
             };
             let own = usize::from(graph.first_word.saturating_sub(first));
             for step in side(entrance, exit).of(program.links) {
-                let place = own + usize::from(step / 32);
-                if let Some(word) = engine.memory.store.before_mut().get_mut(place) {
+                let word = usize::from(step / 32);
+                let place = own + word;
+                let store = &mut engine.memory.store;
+                // All triggers have been evaluated.
+                let word = match program.crosses_at_once {
+                    true => store.image_mut().get_mut(usize::from(graph.first_word) + word),
+                    false => store.before_mut().get_mut(place),
+                };
+                if let Some(word) = word {
                     *word = change(*word, 1 << (step % 32));
                     engine.memory.insert(Set::Lively, place);
                 }
@@ -193,8 +217,10 @@ struct Marking<'e, P, M> {
     /// What the marked transitions do to it.
     leaves: u32,
     enters: u32,
-    /// All steps of a group of words, one word upon the other.
-    lively: u32,
+    /// The first arm of the step that is being looked at.
+    first_arm: u16,
+    /// What is armed behind this scan (round) in the word, if that step is the only one.
+    armed: Armed,
 }
 
 impl<P: Compiled, M: Memory> Marking<'_, P, M> {
@@ -207,8 +233,13 @@ impl<P: Compiled, M: Memory> Marking<'_, P, M> {
     }
 
     #[inline(always)]
-    fn mark(&mut self, transition: usize) {
+    fn mark(&mut self, transition: usize, across: bool) {
         self.marked.any = true;
+        self.marked.across |= across;
+        let tables = self.engine.tables;
+        if !across && !tables.program().marks_all {
+            return;
+        }
         let memory = &mut self.engine.memory;
         let Some(word) = memory.store.fired_mut().get_mut(transition / 32) else {
             return;
@@ -217,6 +248,51 @@ impl<P: Compiled, M: Memory> Marking<'_, P, M> {
         *word |= 1 << (transition % 32);
         if is_first {
             memory.insert(Set::Marked, transition / 32);
+        }
+    }
+
+    /// Goes on in a sequence, if the rest of its condition holds too.
+    #[inline(always)]
+    fn go_on(&mut self, place: usize, arm: &Arm) {
+        let tables = self.engine.tables;
+        let program = tables.program();
+        let row = usize::from(arm.transition);
+        if arm.sequel.course == Course::Condition {
+            let transition = program.transitions.get(row);
+            if transition.is_none_or(|it| !self.engine.holds_apart(it.fires)) {
+                self.stay(place);
+                return;
+            }
+        }
+        self.mark(row, false);
+        let now = self.engine.situation_word(place);
+        self.put_next(place, now, 1 << (arm.sequel.enters % 32));
+        self.engine.memory.put_armed(place, arm.sequel.next);
+    }
+
+    /// Nothing fires in a word.
+    #[inline(always)]
+    fn stay(&mut self, place: usize) {
+        let now = self.engine.situation_word(place);
+        if let Some(word) = self.engine.memory.store.before_mut().get_mut(place) {
+            *word = now;
+        }
+    }
+
+    /// Gives a word its next situation, or puts it beside the word when others still read it.
+    #[inline(always)]
+    fn put_next(&mut self, place: usize, now: u32, next: u32) {
+        let tables = self.engine.tables;
+        let program = tables.program();
+        let memory = &mut self.engine.memory;
+        let beside = if program.crosses_at_once {
+            memory.put_word(usize::from(program.layout.situations.start) + place, next);
+            now
+        } else {
+            next
+        };
+        if let Some(word) = memory.store.before_mut().get_mut(place) {
+            *word = beside;
         }
     }
 
@@ -234,6 +310,7 @@ impl<P: Compiled, M: Memory> Marking<'_, P, M> {
         let memory = &mut self.engine.memory;
         if let Some(word) = memory.store.before_mut().get_mut(place) {
             *word |= self.enters;
+            memory.put_armed(place, Armed::UNKNOWN);
             memory.insert(Set::Lively, place);
         }
     }
@@ -246,41 +323,64 @@ impl<P: Compiled, M: Memory> VisitSteps for Marking<'_, P, M> {
     }
 
     #[inline(always)]
+    fn follow(&mut self, from: usize, end: usize) -> usize {
+        let mut place = from;
+        while place < end {
+            let armed = self.engine.memory.armed(place);
+            let tables = self.engine.tables;
+            let Some(term) = tables.program().terms.get(armed.term()) else {
+                break;
+            };
+            if term.holds(self.engine.memory.store.image()) {
+                let Some(arm) = tables.program().arms.get(armed.row()) else {
+                    break;
+                };
+                self.go_on(place, arm);
+            } else {
+                self.stay(place);
+            }
+            place += 1;
+        }
+        place
+    }
+
+    #[inline(always)]
+    fn passes(&mut self, place: usize) -> bool {
+        let memory = &mut self.engine.memory;
+        let passes = memory.armed(place) == Armed::NOTHING;
+        if passes && memory.has_sets() {
+            memory.let_sleep(place);
+        }
+        passes
+    }
+
+    #[inline(always)]
     fn choose(&mut self, place: usize, _: &Block) -> u32 {
         self.now = self.engine.situation_word(place);
         self.leaves = 0;
         self.enters = 0;
+        self.armed = Armed::UNKNOWN;
         self.now
     }
 
     #[inline(always)]
     fn step(&mut self, step: &Step) {
+        self.first_arm = step.first_arm;
         self.arms(step.arms());
     }
 
     #[inline(always)]
     fn leave(&mut self, place: usize) {
         let next = self.now & !self.leaves | self.enters;
-        let tables = self.engine.tables;
-        let program = tables.program();
-        let memory = &mut self.engine.memory;
-        let beside = if program.crosses_at_once {
-            memory.put_word(usize::from(program.layout.situations.start) + place, next);
-            self.now
-        } else {
-            next
-        };
-        if let Some(word) = memory.store.before_mut().get_mut(place) {
-            *word = beside;
-        }
-        self.lively |= self.now | next;
-    }
-
-    #[inline(always)]
-    fn leave_group(&mut self, group: usize) {
-        let memory = &mut self.engine.memory;
-        if memory.has_sets() && core::mem::take(&mut self.lively) == 0 {
-            memory.let_sleep(group);
+        self.put_next(place, self.now, next);
+        if !P::UNROLLED {
+            let is_one = self.now & self.now.wrapping_sub(1) == 0;
+            let armed = match (self.now | next, is_one) {
+                (0, _) => Armed::NOTHING,
+                (_, true) => self.armed,
+                (_, false) => Armed::UNKNOWN,
+            };
+            self.engine.memory.put_armed(place, armed);
         }
     }
 }
@@ -290,9 +390,10 @@ impl<P: Compiled, M: Memory> Visit<Arm> for Marking<'_, P, M> {
     fn row(&mut self, arm: &Arm) {
         let tables = self.engine.tables;
         let program = tables.program();
-        let term = program.terms.get(usize::from(arm.term));
-        let image = self.engine.memory.store.image();
-        if term.is_none_or(|term| !term.holds(image)) {
+        if !P::UNROLLED && arm.sequel.course != Course::Free {
+            self.armed = Armed::by(self.first_arm, arm.term);
+        }
+        if !self.engine.term_holds(usize::from(arm.term)) {
             return;
         }
         let row = usize::from(arm.transition);
@@ -300,13 +401,12 @@ impl<P: Compiled, M: Memory> Visit<Arm> for Marking<'_, P, M> {
             return;
         };
         if self.engine.holds_row(transition.fires) {
-            self.mark(row);
-            match program.crossing(transition) {
-                Crossing::Within { leaves, enters } => {
-                    self.leaves |= leaves;
-                    self.enters |= enters;
-                }
-                Crossing::Across { .. } => self.marked.across = true,
+            self.armed = arm.sequel.next;
+            let crossing = program.crossing(transition);
+            self.mark(row, matches!(crossing, Crossing::Across { .. }));
+            if let Crossing::Within { leaves, enters } = crossing {
+                self.leaves |= leaves;
+                self.enters |= enters;
             }
         }
     }

@@ -3,7 +3,7 @@
 use crate::bits::set_bits_of;
 use crate::engine::Engine;
 use crate::memory::{Memory, Standing};
-use crate::program::{Bit, Compiled, Enclosing, Forced, Graph, Order, Role, Run};
+use crate::program::{Armed, Bit, Compiled, Enclosing, Forced, Graph, Order, Role, Run};
 use crate::sets::Set;
 use crate::walk::{Visit, each};
 use crate::watch::Pass;
@@ -209,8 +209,10 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
     fn set_word(&mut self, word: usize, value: u32) {
         let tables = self.tables;
         let first = usize::from(tables.program().layout.situations.start);
+        let place = word.saturating_sub(first);
+        self.memory.put_armed(place, Armed::UNKNOWN);
         if value != 0 {
-            self.memory.insert(Set::Lively, word.saturating_sub(first));
+            self.memory.insert(Set::Lively, place);
         }
         if let Some(word) = self.memory.store.image_mut().get_mut(word) {
             *word = value;

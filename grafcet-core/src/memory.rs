@@ -1,6 +1,6 @@
 //! What changes while a program runs.
 
-use crate::program::{Bit, Layout, Number, Run, Stamp, Target};
+use crate::program::{Armed, Bit, Layout, Number, Run, Stamp, Target};
 
 /// A [`Stamp`] that never was: later than every time, with room for any preset behind it.
 pub(crate) const NEVER: u64 = 1 << 63;
@@ -59,7 +59,7 @@ pub trait Memory {
     /// The same, to be written.
     fn numbers_mut(&mut self) -> &mut [i32];
     /// The situations before this scan (round), and while transitions are marked the next ones.
-    /// [`Layout::situation_words`] words.
+    /// [`Layout::before`] words.
     fn before(&self) -> &[u32];
     /// The same, to be written.
     fn before_mut(&mut self) -> &mut [u32];
@@ -95,6 +95,10 @@ pub trait Memory {
     fn sets(&self) -> &[u32];
     /// The same, to be written.
     fn sets_mut(&mut self) -> &mut [u32];
+    /// What is armed in each word of situations. [`Layout::armed`] words, or none: all steps are looked at then.
+    fn armed(&self) -> &[Armed];
+    /// The same, to be written.
+    fn armed_mut(&mut self) -> &mut [Armed];
 }
 
 /// Defines the memory of one program, sized at build time: on a microcontroller the type of a static.
@@ -106,7 +110,7 @@ pub trait Memory {
 /// ```
 /// grafcet_core::storage!(Storage {
 ///     image: 7, numbers: 2, before: 1, before_scan: 0, fired: 1, passed: 0, stack: 0, stamps: 1, standings: 0,
-///     shown: 0, sets: 0
+///     shown: 0, sets: 0, armed: 0
 /// });
 /// static STORAGE: Storage = Storage::new();
 /// ```
@@ -115,7 +119,7 @@ macro_rules! storage {
     ($name:ident {
         image: $image:literal, numbers: $numbers:literal, before: $before:literal, before_scan: $before_scan:literal,
         fired: $fired:literal, passed: $passed:literal, stack: $stack:literal, stamps: $stamps:literal,
-        standings: $standings:literal, shown: $shown:literal, sets: $sets:literal
+        standings: $standings:literal, shown: $shown:literal, sets: $sets:literal, armed: $armed:literal
     }) => {
         /// The memory of the program.
         #[repr(C)]
@@ -132,6 +136,7 @@ macro_rules! storage {
             standings: [$crate::memory::Standing; $standings],
             shown: [u32; $shown],
             sets: [u32; $sets],
+            armed: [$crate::program::Armed; $armed],
         }
 
         impl $name {
@@ -150,6 +155,7 @@ macro_rules! storage {
                     standings: [$crate::memory::Standing::FREE; $standings],
                     shown: [0; $shown],
                     sets: [0; $sets],
+                    armed: [$crate::program::Armed(0); $armed],
                 }
             }
 
@@ -159,7 +165,7 @@ macro_rules! storage {
                 let layout = &program.layout;
                 $image == layout.words as usize
                     && $numbers == layout.numbers as usize
-                    && $before == layout.situation_words()
+                    && $before == layout.before as usize
                     && $before_scan == layout.remembered as usize
                     && $fired == layout.fired as usize
                     && $passed == layout.passed as usize
@@ -168,6 +174,7 @@ macro_rules! storage {
                     && $standings == layout.standings as usize
                     && $shown == layout.shown as usize
                     && $sets == layout.sets as usize
+                    && $armed == layout.armed as usize
             }
         }
 
@@ -192,7 +199,7 @@ macro_rules! memory_methods {
             @$way image image_mut u32, numbers numbers_mut i32, before before_mut u32,
             before_scan before_scan_mut u32, fired fired_mut u32, passed passed_mut u32, stack stack_mut i32,
             stamps stamps_mut u64, standings standings_mut $crate::memory::Standing, shown shown_mut u32,
-            sets sets_mut u32
+            sets sets_mut u32, armed armed_mut $crate::program::Armed
         }
     };
     (@fields $($field:ident $field_mut:ident $type:ty),*) => {$(
@@ -236,6 +243,7 @@ impl<M: Memory> Bank<M> {
         self.store.before_scan_mut().fill(0);
         self.store.fired_mut().fill(0);
         self.store.sets_mut().fill(0);
+        self.store.armed_mut().fill(Armed::UNKNOWN);
         self.store.passed_mut().fill(0);
         self.store.stamps_mut().fill(NEVER);
         self.store.standings_mut().fill(Standing::FREE);

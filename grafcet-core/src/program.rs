@@ -20,8 +20,8 @@ pub use expression::{
 };
 pub use place::{Bit, Number, Run, Slot, Stamp};
 pub use rows::{
-    Arm, Assignment, Block, Crossing, Dependent, Duties, Enclosing, Event, Forced, Graph, Macro,
-    Masks, Momentary, NumberRow, Order, Retained, Role, Step, Stored, Target, Transition,
+    Arm, Armed, Assignment, Block, Course, Crossing, Dependent, Duties, Enclosing, Event, Forced, Graph, Macro,
+    Masks, Momentary, NumberRow, Order, Retained, Role, Sequel, Step, Stored, Target, Transition,
 };
 
 /// How a program evolves within a scan.
@@ -57,19 +57,23 @@ pub struct Layout {
     pub stamps: u16,
     /// Depth of the stack that the deepest code needs.
     pub stack: u16,
-    /// Words with one bit for each transition.
+    /// Words with one bit for each transition; none when none is ever marked.
     pub fired: u16,
     /// Words with one bit for each transition that fired in an earlier round; none unless it evolves `stable`.
     pub passed: u16,
+    /// Words with the situations and macro steps before the scan (round); none when nobody asks for them.
+    pub before: u16,
     /// Words with the situations before the scan: none unless it evolves `stable` or a step encloses a graph.
     pub remembered: u16,
     /// Graphs whose standing in the hierarchy is kept; none when no graph forces or encloses another.
     pub standings: u16,
     /// Words of [`Layout::momentary`] that are kept to see whether they change; none when there is but one.
     pub shown: u16,
-    /// Words of the sets of words that hold anything: a bit for eight words of situations and macro steps, behind them a
-    /// bit for eight words of transitions. None in a small program.
+    /// Words of the sets of words that hold anything: a bit for eight words of transitions, behind them a bit for eight
+    /// words of situations and macro steps. None in a small program.
     pub sets: u16,
+    /// Words of situations of which it is kept what is armed in them: all or, in a small program, none.
+    pub armed: u16,
 }
 
 impl Layout {
@@ -108,6 +112,9 @@ pub struct Program<'a> {
     /// Whether a word of situations can be exchanged as soon as its steps have been looked at: no trigger that is
     /// evaluated later reads it, and every transition belongs to it alone.
     pub crosses_at_once: bool,
+    /// Whether it is noted of every transition that it fires: somebody asks for it. Otherwise it is of those of graphs with
+    /// more than 32 steps.
+    pub marks_all: bool,
     /// The graphs.
     pub graphs: &'a [Graph],
     /// What few graphs have; row 0 is none of it.

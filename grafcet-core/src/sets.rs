@@ -1,6 +1,7 @@
 //! Which words of a large program hold anything, so that a scan passes over all others.
 
 use crate::memory::{Bank, Memory};
+use crate::program::Armed;
 
 /// Neighbouring words that a large program passes over together when they hold nothing: mostly several of them hold
 /// something, or none.
@@ -17,6 +18,21 @@ pub(crate) enum Set {
 }
 
 impl<M: Memory> Bank<M> {
+    /// What is armed in a word of situations, as far as that is known.
+    #[inline(always)]
+    pub(crate) fn armed(&self, place: usize) -> Armed {
+        let armed = self.store.armed().get(place);
+        armed.copied().unwrap_or(Armed::UNKNOWN)
+    }
+
+    /// Notes what is armed in a word of situations. Whoever writes such a word says so.
+    #[inline(always)]
+    pub(crate) fn put_armed(&mut self, place: usize, now: Armed) {
+        if let Some(armed) = self.store.armed_mut().get_mut(place) {
+            *armed = now;
+        }
+    }
+
     /// Whether the sets are kept: a small program is walked over faster without.
     #[inline(always)]
     pub(crate) fn has_sets(&self) -> bool {
@@ -45,10 +61,16 @@ impl<M: Memory> Bank<M> {
         }
     }
 
-    /// Takes a group of words of situations, in which nothing is active any more, out of the set.
-    #[inline(always)]
-    pub(crate) fn let_sleep(&mut self, group: usize) {
-        if let Some(row) = self.store.sets_mut().get_mut(group / 32) {
+    /// Takes the group of a word of situations out of the set, if it is the last word and nothing is active in any.
+    pub(crate) fn let_sleep(&mut self, place: usize) {
+        let group = place / GROUP;
+        let armed = self.store.armed().chunks(GROUP).nth(group);
+        let armed = armed.unwrap_or_default();
+        if place % GROUP + 1 != armed.len() || armed.iter().any(|it| *it != Armed::NOTHING) {
+            return;
+        }
+        let row = self.first(Set::Lively) + group / 32;
+        if let Some(row) = self.store.sets_mut().get_mut(row) {
             *row &= !(1 << (group % 32));
         }
     }
@@ -66,8 +88,8 @@ impl<M: Memory> Bank<M> {
     #[inline(always)]
     fn first(&self, set: Set) -> usize {
         match set {
-            Set::Lively => 0,
-            Set::Marked => rows(self.store.before().len()),
+            Set::Marked => 0,
+            Set::Lively => rows(self.store.fired().len()),
         }
     }
 }

@@ -5,8 +5,10 @@
 //! outside another one, a bit outside the image or code that needs more stack than there is does not build.
 //! Everything here is a `const fn` and linear in the size of the program.
 
+mod asked;
 mod code;
 mod rows;
+mod sequence;
 mod structure;
 
 use crate::program::{Bit, Evolution, Number, Program, Run, Slot, Stamp};
@@ -40,6 +42,8 @@ pub enum Unsound {
     Codes,
     /// An arm names a term that is not there, or a transition that does not leave the step that arms it.
     Arms,
+    /// An arm says wrongly how it goes on behind its step.
+    Sequences,
     /// What a step does beside momentary actions points outside a table, or row 0 does something.
     Duties,
     /// Row 0 of what few graphs have is not none of it.
@@ -78,6 +82,7 @@ impl Unsound {
             Unsound::Timers => "the table of timers on steps is unsound",
             Unsound::Codes => "the code of the conditions is unsound",
             Unsound::Arms => "the table of armed transitions is unsound",
+            Unsound::Sequences => "the sequences in the table of armed transitions are unsound",
             Unsound::Duties => "the table of what steps do is unsound",
             Unsound::Roles => "the table of what few graphs have is unsound",
             Unsound::Enclosings => "the table of enclosings is unsound",
@@ -101,10 +106,10 @@ impl Unsound {
 /// # const LAYOUT: Layout = Layout {
 /// #     words: 1, inputs: Run::EMPTY, situations: Run::EMPTY, macros: Run::EMPTY, momentary: Run::EMPTY,
 /// #     number_inputs: Run::EMPTY, outside: Run::EMPTY, numbers: 0, stamps: 0, stack: 0, fired: 0, passed: 0,
-/// #     remembered: 0, standings: 0, shown: 0, sets: 0,
+/// #     remembered: 0, standings: 0, shown: 0, sets: 0, armed: 0, before: 0,
 /// # };
 /// # const EMPTY: Program<'static> = Program {
-/// #     period_ms: 10, evolution: Evolution::Scan, fingerprint: 0, layout: LAYOUT, read_inputs: &[], reads_first_scan: false, crosses_at_once: false, graphs: &[], roles: &[], hierarchy: &[],
+/// #     period_ms: 10, evolution: Evolution::Scan, fingerprint: 0, layout: LAYOUT, read_inputs: &[], reads_first_scan: false, crosses_at_once: false, marks_all: true, graphs: &[], roles: &[], hierarchy: &[],
 /// #     blocks: &[], masks: &[], steps: &[], duties: &[], macros: &[], transitions: &[], crossings: &[], do_blocks: &[], links: &[], arms: &[],
 /// #     situations: &[], enclosings: &[], orders: &[], sources: &[], lasting_in_steps: false,
 /// #     momentary_varies: false, stores_on_change: false, stored: &[], events: &[], always_stored: Run::EMPTY, targets: &[], momentary: &[], always_momentary: Run::EMPTY,
@@ -124,10 +129,10 @@ impl Unsound {
 /// # const LAYOUT: Layout = Layout {
 /// #     words: 1, inputs: Run::EMPTY, situations: Run::EMPTY, macros: Run::EMPTY, momentary: Run::EMPTY,
 /// #     number_inputs: Run::EMPTY, outside: Run::EMPTY, numbers: 0, stamps: 0, stack: 0, fired: 0, passed: 0,
-/// #     remembered: 0, standings: 0, shown: 0, sets: 0,
+/// #     remembered: 0, standings: 0, shown: 0, sets: 0, armed: 0, before: 0,
 /// # };
 /// # const EMPTY: Program<'static> = Program {
-/// #     period_ms: 10, evolution: Evolution::Scan, fingerprint: 0, layout: LAYOUT, read_inputs: &[], reads_first_scan: false, crosses_at_once: false, graphs: &[], roles: &[], hierarchy: &[],
+/// #     period_ms: 10, evolution: Evolution::Scan, fingerprint: 0, layout: LAYOUT, read_inputs: &[], reads_first_scan: false, crosses_at_once: false, marks_all: true, graphs: &[], roles: &[], hierarchy: &[],
 /// #     blocks: &[], masks: &[], steps: &[], duties: &[], macros: &[], transitions: &[], crossings: &[], do_blocks: &[], links: &[], arms: &[],
 /// #     situations: &[], enclosings: &[], orders: &[], sources: &[], lasting_in_steps: false,
 /// #     momentary_varies: false, stores_on_change: false, stored: &[], events: &[], always_stored: Run::EMPTY, targets: &[], momentary: &[], always_momentary: Run::EMPTY,
@@ -203,6 +208,8 @@ impl Program<'_> {
             Some(Unsound::Momentary)
         } else if !self.edges_are_sound() || !self.watches_are_sound() {
             Some(Unsound::Watches)
+        } else if !self.sequences_are_sound() {
+            Some(Unsound::Sequences)
         } else if !self.first_values_are_sound() {
             Some(Unsound::FirstValues)
         } else {
@@ -237,13 +244,17 @@ impl Program<'_> {
         }
         self.period_ms >= 1
             && self.read_inputs.len() == layout.inputs.len as usize
-            && (!self.crosses_at_once || (self.sources.is_empty() && self.links.is_empty()))
+            && (!self.crosses_at_once || self.sources.is_empty())
             && layout.words >= 1
             && layout.number_inputs.is_within(layout.numbers as usize)
             && (layout.number_inputs.len == 0
                 || layout.number_inputs.start > Number::ARITHMETIC_FAULTS.0)
             && layout.outside.len as usize * 32 >= layout.number_inputs.len as usize
-            && layout.fired as usize * 32 >= self.transitions.len()
+            && (self.marks_all || !self.asks_what_fired())
+            && (layout.fired as usize * 32 >= self.transitions.len()
+                || (layout.fired == 0 && !self.marks_all && self.links.is_empty()))
+            && (layout.before as usize == layout.situation_words()
+                || (layout.before == 0 && !self.asks_what_was_active()))
             && match self.evolution {
                 Evolution::Scan => layout.passed == 0,
                 Evolution::Stable => layout.passed == layout.fired,
@@ -260,6 +271,7 @@ impl Program<'_> {
                 } else {
                     0
                 }
+            && (layout.armed == 0 || layout.armed == layout.situations.len)
             && (layout.sets == 0 || layout.sets as usize == layout.set_words())
             && layout.remembered as usize
                 == if self.enclosings.is_empty() && matches!(self.evolution, Evolution::Scan) {

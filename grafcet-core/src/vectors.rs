@@ -4,7 +4,7 @@ use alloc::vec;
 use alloc::vec::Vec;
 
 use crate::memory::{Memory, NEVER, Standing};
-use crate::program::Program;
+use crate::program::{Armed, Program};
 
 /// The memory of one program.
 #[derive(Debug)]
@@ -20,6 +20,7 @@ pub struct Vectors {
     standings: Vec<Standing>,
     shown: Vec<u32>,
     sets: Vec<u32>,
+    armed: Vec<Armed>,
 }
 
 impl Vectors {
@@ -30,7 +31,7 @@ impl Vectors {
         Vectors {
             image: vec![0; usize::from(layout.words)],
             numbers: vec![0; usize::from(layout.numbers)],
-            before: vec![0; layout.situation_words()],
+            before: vec![0; usize::from(layout.before)],
             before_scan: vec![0; usize::from(layout.remembered)],
             fired: vec![0; usize::from(layout.fired)],
             passed: vec![0; usize::from(layout.passed)],
@@ -39,6 +40,7 @@ impl Vectors {
             standings: vec![Standing::FREE; usize::from(layout.standings)],
             shown: vec![0; usize::from(layout.shown)],
             sets: vec![0; usize::from(layout.sets)],
+            armed: vec![Armed::UNKNOWN; usize::from(layout.armed)],
         }
     }
 }

@@ -15,14 +15,21 @@ pub(crate) trait Visit<T> {
 pub trait VisitSteps {
     /// The groups of words to be looked at, of 32 neighbouring ones. Only loops ask for them.
     fn groups(&self, row: usize) -> u32;
+    /// Visits neighbouring words from one on, as long as it is known what is armed in them, and gives the first of which
+    /// it is not. Only loops ask for it.
+    fn follow(&mut self, from: usize, _end: usize) -> usize {
+        from
+    }
+    /// Passes over a word in which nothing is active and nothing was. Only loops ask for it.
+    fn passes(&mut self, _place: usize) -> bool {
+        false
+    }
     /// The steps to be visited, of those that share a word: those of its bits that are set.
     fn choose(&mut self, place: usize, block: &Block) -> u32;
     /// Visits one of them.
     fn step(&mut self, step: &Step);
     /// All of a word have been visited.
     fn leave(&mut self, place: usize);
-    /// All of a group have been visited. Only loops say so.
-    fn leave_group(&mut self, _group: usize) {}
 }
 
 /// Visits rows one after the other.
@@ -57,21 +64,38 @@ pub(crate) fn each<P: Compiled, T>(rows: &[T], visit: &mut impl Visit<T>) {
 #[inline(always)]
 pub(crate) fn loop_over_steps(blocks: &[Block], steps: &[Step], visit: &mut impl VisitSteps) {
     for row in 0..rows(blocks.len()) {
-        for bit in set_bits_of(visit.groups(row)) {
-            let group = row * 32 + bit;
-            let first = group * GROUP;
-            let Some(blocks) = blocks.get(first..) else {
-                break;
-            };
-            for (place, block) in (first..).zip(blocks.iter().take(GROUP)) {
-                for bit in set_bits_of(visit.choose(place, block)) {
-                    if let Some(step) = steps.get(usize::from(block.first) + bit) {
-                        visit.step(step);
-                    }
+        let mut groups = visit.groups(row);
+        while groups != 0 {
+            // Neighbours are looked at in one go.
+            let first = groups.trailing_zeros();
+            let behind = first + (groups >> first).trailing_ones();
+            groups &= u32::MAX.checked_shl(behind).unwrap_or(0);
+            let word = |group: u32| blocks.len().min((row * 32 + group as usize) * GROUP);
+            let (mut place, end) = (word(first), word(behind));
+            loop {
+                place = visit.follow(place, end);
+                if place >= end {
+                    break;
                 }
-                visit.leave(place);
+                if let Some(block) = blocks.get(place) {
+                    look(place, block, steps, visit);
+                }
+                place += 1;
             }
-            visit.leave_group(group);
         }
     }
+}
+
+/// Visits the steps of one word. Kept apart, so that the loop around it has the registers.
+#[inline(never)]
+fn look(place: usize, block: &Block, steps: &[Step], visit: &mut impl VisitSteps) {
+    if visit.passes(place) {
+        return;
+    }
+    for bit in set_bits_of(visit.choose(place, block)) {
+        if let Some(step) = steps.get(usize::from(block.first) + bit) {
+            visit.step(step);
+        }
+    }
+    visit.leave(place);
 }

@@ -1,9 +1,9 @@
 //! Rows and tables as Rust expressions.
 
 use grafcet_core::program::{
-    Arm, Assignment, Bit, Block, Code, Condition, Crossing, Dependent, Duties, Edge, Edges,
+    Arm, Armed, Assignment, Bit, Block, Code, Condition, Course, Crossing, Dependent, Duties, Edge, Edges,
     Enclosing, Event, Evolution, Forced, Graph, Layout, Macro, Masks, Momentary, Number, NumberRow,
-    Op, Order, Preset, Rest, Retained, Role, Run, Seen, Slot, Stamp, Step, Stored, Target, Term,
+    Op, Order, Preset, Rest, Retained, Role, Run, Seen, Sequel, Slot, Stamp, Step, Stored, Target, Term,
     Timer, Transition, Unit, Watch,
 };
 use proc_macro2::{Literal, TokenStream};
@@ -32,14 +32,14 @@ macro_rules! structs {
 
 structs! {
     Tables => Program {
-        period_ms evolution fingerprint layout read_inputs reads_first_scan crosses_at_once graphs roles hierarchy blocks masks steps duties macros transitions crossings do_blocks links arms
+        period_ms evolution fingerprint layout read_inputs reads_first_scan crosses_at_once marks_all graphs roles hierarchy blocks masks steps duties macros transitions crossings do_blocks links arms
         situations enclosings orders sources lasting_in_steps momentary_varies stores_on_change stored events always_stored
         targets momentary always_momentary dependent edges watches trigger_watches round_watches action_watches conditions terms timers codes ops numbers
         initially_true retained
     }
     Layout => Layout {
-        words inputs situations macros momentary number_inputs outside numbers stamps stack fired passed
-        remembered standings shown sets
+        words inputs situations macros momentary number_inputs outside numbers stamps stack fired passed before
+        remembered standings shown sets armed
     }
     Graph => Graph {
         steps first_word transitions initial role
@@ -49,7 +49,8 @@ structs! {
     Duties => Duties { stored on_activation on_deactivation on_event orders activated }
     Block => Block { first masks momentary }
     Masks => Masks { timed stored on_activation on_deactivation on_event forcing }
-    Arm => Arm { transition term }
+    Arm => Arm { transition term sequel }
+    Sequel => Sequel { next shows enters course }
     Macro => Macro { bit graph steps activated }
     Transition => Transition { fires crossing actions }
     Enclosing => Enclosing { step situation at_start }
@@ -80,7 +81,7 @@ macro_rules! indices {
     )*};
 }
 
-indices! { Bit Number Stamp }
+indices! { Armed Bit Number Stamp }
 
 /// A variant with named fields is the literals of its fields.
 macro_rules! variant {
@@ -102,6 +103,7 @@ macro_rules! names {
 }
 
 names! {
+    Course { Free Term Condition }
     Edge { Rising Falling }
     Evolution { Scan Stable }
     Unit { Milliseconds Seconds }

@@ -32,7 +32,6 @@ pub(super) fn first_scan(tables: &Tables) -> bool {
 pub(super) fn crosses_at_once(tables: &Tables) -> bool {
     let first = tables.layout.situations.start;
     tables.sources.is_empty()
-        && tables.links.is_empty()
         && tables.graphs.iter().all(|graph| {
             let earlier = first..graph.first_word;
             let arms =

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use grafcet_core::program::{Arm, Block, Duties, Graph, Macro, Masks, Role, Run, Stamp, Step};
+use grafcet_core::program::{Arm, Block, Duties, Graph, Macro, Masks, Role, Run, Sequel, Stamp, Step};
 
 use super::atoms::Atom;
 use super::graph::{StepRuns, since};
@@ -148,6 +148,8 @@ impl Lowering<'_> {
         Arm {
             transition,
             term: first.copied().unwrap_or_default(),
+            // Known when all steps are.
+            sequel: Sequel::NONE,
         }
     }
 

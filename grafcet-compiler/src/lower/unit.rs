@@ -14,9 +14,11 @@ use super::limits::{self, index};
 use super::places::{Contents, Places};
 use super::pool::{Pool, Shared};
 use super::reads;
+use super::sequence;
 use super::watch::{Context, Memories, Watches};
 use crate::application::Tables;
 use crate::diagnostic::Diagnostic;
+use crate::emit;
 use crate::model::{GraphId, Model};
 
 /// What a program stands for.
@@ -155,6 +157,7 @@ impl<'m> Lowering<'m> {
         layout.numbers = index(self.places.numbers.len());
         layout.stamps = index(self.memories.stamps);
         layout.stack = index(self.pool.stack);
+        layout.before = index(layout.situation_words());
         layout.fired = index(self.rows.transitions.len().div_ceil(32));
         let evolution = match self.kind {
             Kind::Graphs if self.model.stable => Evolution::Stable,
@@ -185,6 +188,7 @@ impl<'m> Lowering<'m> {
             read_inputs: Vec::new(),
             reads_first_scan: false,
             crosses_at_once: false,
+            marks_all: true,
             graphs: structure.graphs,
             roles: structure.roles,
             hierarchy: structure.hierarchy,
@@ -241,6 +245,11 @@ impl<'m> Lowering<'m> {
         if !beyond.is_empty() {
             return Err(beyond);
         }
+        sequence::join(&mut tables);
+        tables.layout.armed = match emit::is_unrolled(&tables.program()) {
+            true => 0,
+            false => tables.layout.situations.len,
+        };
         tables.read_inputs = reads::inputs(&tables);
         tables.reads_first_scan = reads::first_scan(&tables);
         tables.crosses_at_once = reads::crosses_at_once(&tables);

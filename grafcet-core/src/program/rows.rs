@@ -172,6 +172,78 @@ pub struct Arm {
     pub transition: u16,
     /// Row of [`Program::terms`](super::Program::terms): the first term of all that the transition asks for beside that step.
     pub term: u16,
+    /// How it goes on behind the transition when the step stands in a sequence.
+    pub sequel: Sequel,
+}
+
+/// How it goes on behind a step that stands in a sequence: it arms one transition, which leaves it alone and enters one
+/// other step of the same word. While it is the only active step of its word, nothing else need be looked up.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Sequel {
+    /// What the other step arms.
+    pub next: Armed,
+    /// What the step shows: [`Sequel::SHOWS_NOTHING`], [`Sequel::SHOWS_MORE`], or the row of
+    /// [`Program::targets`](super::Program::targets), counted from 1, that it shows whatever holds.
+    pub shows: u16,
+    /// The other step, as a bit of their word.
+    pub enters: u8,
+    /// Whether there is one, and when the transition fires.
+    pub course: Course,
+}
+
+impl Sequel {
+    /// None: the step stands in no sequence.
+    pub const NONE: Sequel = Sequel {
+        next: Armed::UNKNOWN,
+        shows: Sequel::SHOWS_NOTHING,
+        enters: 0,
+        course: Course::Free,
+    };
+    /// The step has no momentary action.
+    pub const SHOWS_NOTHING: u16 = 0;
+    /// The step has momentary actions with conditions, or more than one.
+    pub const SHOWS_MORE: u16 = u16::MAX;
+}
+
+/// How a step goes on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Course {
+    /// In any way, since it stands in no sequence.
+    Free,
+    /// In a sequence, as soon as the first term of its transition holds.
+    Term,
+    /// In a sequence, as soon as the first term and [`Transition::fires`] hold.
+    Condition,
+}
+
+/// What is armed in a word of situations in which one step is active, when it stands in a sequence: a row of
+/// [`Program::arms`](super::Program::arms) in the upper half and its term in the lower.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Armed(pub u32);
+
+impl Armed {
+    /// The steps of the word have to be looked at. There is no such row.
+    pub const UNKNOWN: Armed = Armed(u32::MAX);
+    /// No step of the word is active, and none was before this scan (round). There is no such row either.
+    pub const NOTHING: Armed = Armed(u32::MAX - 1);
+
+    /// A row of the arms, with its term.
+    #[must_use]
+    pub const fn by(row: u16, term: u16) -> Armed {
+        Armed((row as u32) << 16 | term as u32)
+    }
+
+    /// The row of the arms.
+    #[inline(always)]
+    pub(crate) const fn row(self) -> usize {
+        (self.0 >> 16) as usize
+    }
+
+    /// The row of the terms.
+    #[inline(always)]
+    pub(crate) const fn term(self) -> usize {
+        (self.0 & 0xffff) as usize
+    }
 }
 
 /// A transition.

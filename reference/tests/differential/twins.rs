@@ -1,4 +1,4 @@
-//! The engine twice: as it walks over small programs, and with the sets of words that it keeps of large ones.
+//! The engine twice: as it walks over small programs, and with what it keeps of large ones: the sets of words, and what is armed in each.
 
 use grafcet_core::Engine;
 use grafcet_core::program::{Layout, Program, Slot};
@@ -12,6 +12,7 @@ impl<'t> Tables<'t> {
         let sets = u16::try_from(tables.layout.set_words()).unwrap_or(0);
         let layout = Layout {
             sets,
+            armed: tables.layout.situations.len,
             ..tables.layout
         };
         Tables([tables, Program { layout, ..tables }])
