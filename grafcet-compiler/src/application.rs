@@ -88,22 +88,11 @@ pub struct Tables {
 }
 
 impl Tables {
-    /// The tables for an image in which nobody looks between two scans at which transitions have fired and which steps
-    /// were active before: neither is kept then, unless the program itself asks for it.
+    /// The tables for an image in which nobody looks at what a scan has changed ([`Program::unwatched`]).
     #[must_use]
     pub fn unwatched(mut self) -> Self {
-        let program = self.program();
-        let (fired, was_active) = (program.asks_what_fired(), program.asks_what_was_active());
-        self.marks_all = fired;
-        if !fired && self.links.is_empty() {
-            self.layout.fired = 0;
-        }
-        if !was_active {
-            self.layout.before = 0;
-        }
-        if self.layout.sets > 0 {
-            self.layout.sets = u16::try_from(self.layout.set_words()).unwrap_or(u16::MAX);
-        }
+        let program = self.program().unwatched();
+        (self.layout, self.marks_all) = (program.layout, program.marks_all);
         self
     }
 

@@ -15,7 +15,7 @@ use self::rows::Row;
 use crate::application::{Application, Plant, Symbols, Tables, Wire};
 
 /// Programs with at most so much to unroll are walked over row by row: what the compiler of the image does in seconds.
-const UNROLLED: usize = 1200;
+const UNROLLED: usize = 900;
 /// What counts as so much: a row that is more than a transition with one term.
 const ROW: usize = 8;
 /// Steps that are passed over together.

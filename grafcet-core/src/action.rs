@@ -3,7 +3,8 @@
 use crate::engine::Engine;
 use crate::memory::Memory;
 use crate::program::{
-    Armed, Assignment, Block, Compiled, Dependent, Momentary, Run, Sequel, Step, Stored, Target, VisitSteps,
+    Armed, Assignment, Block, Compiled, Dependent, Momentary, Run, Sequel, Step, Stored, Target,
+    VisitSteps,
 };
 use crate::sets::Set;
 use crate::walk::{Visit, each};

@@ -118,11 +118,14 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
                 let store = &mut engine.memory.store;
                 // All triggers have been evaluated.
                 let word = match program.crosses_at_once {
-                    true => store.image_mut().get_mut(usize::from(graph.first_word) + word),
+                    true => store
+                        .image_mut()
+                        .get_mut(usize::from(graph.first_word) + word),
                     false => store.before_mut().get_mut(place),
                 };
                 if let Some(word) = word {
                     *word = change(*word, 1 << (step % 32));
+                    engine.memory.put_armed(place, Armed::UNKNOWN);
                     engine.memory.insert(Set::Lively, place);
                 }
             }

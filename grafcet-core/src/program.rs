@@ -20,8 +20,9 @@ pub use expression::{
 };
 pub use place::{Bit, Number, Run, Slot, Stamp};
 pub use rows::{
-    Arm, Armed, Assignment, Block, Course, Crossing, Dependent, Duties, Enclosing, Event, Forced, Graph, Macro,
-    Masks, Momentary, NumberRow, Order, Retained, Role, Sequel, Step, Stored, Target, Transition,
+    Arm, Armed, Assignment, Block, Course, Crossing, Dependent, Duties, Enclosing, Event, Forced,
+    Graph, Macro, Masks, Momentary, NumberRow, Order, Retained, Role, Sequel, Step, Stored, Target,
+    Transition,
 };
 
 /// How a program evolves within a scan.

@@ -2,9 +2,9 @@
 
 use grafcet_core::Engine;
 use grafcet_core::program::{
-    Arm, Bit, Block, Condition, Crossing, Duties, Edges, Evolution, Graph, Layout, Masks,
-    Momentary, NumberRow, Preset, Program, Rest, Role, Run, Seen, Stamp, Step, Target, Term, Timer,
-    Transition,
+    Arm, Armed, Bit, Block, Condition, Course, Crossing, Duties, Edges, Evolution, Graph, Layout,
+    Masks, Momentary, NumberRow, Preset, Program, Rest, Role, Run, Seen, Sequel, Stamp, Step,
+    Target, Term, Timer, Transition,
 };
 
 const A: Bit = Bit(32);
@@ -52,10 +52,13 @@ static PROGRAM: Program<'static> = Program {
         standings: 0,
         shown: 0,
         sets: 0,
+        armed: 1,
+        before: 1,
     },
     read_inputs: &[1],
     reads_first_scan: false,
     crosses_at_once: false,
+    marks_all: true,
     graphs: &[Graph {
         steps: run(0, 2),
         first_word: 2,
@@ -126,10 +129,22 @@ static PROGRAM: Program<'static> = Program {
         Arm {
             transition: 0,
             term: 0,
+            sequel: Sequel {
+                next: Armed::by(1, 1),
+                shows: 0,
+                enters: 1,
+                course: Course::Term,
+            },
         },
         Arm {
             transition: 1,
             term: 1,
+            sequel: Sequel {
+                next: Armed::by(0, 0),
+                shows: 1,
+                enters: 0,
+                course: Course::Condition,
+            },
         },
     ],
     situations: &[0b01],
@@ -203,7 +218,8 @@ grafcet_core::storage!(Storage {
     stamps: 1,
     standings: 0,
     shown: 0,
-    sets: 0
+    sets: 0,
+    armed: 1
 });
 
 const _: () = assert!(Storage::is_sized_for(&PROGRAM));
@@ -219,7 +235,8 @@ grafcet_core::storage!(Small {
     stamps: 0,
     standings: 0,
     shown: 0,
-    sets: 0
+    sets: 0,
+    armed: 0
 });
 
 /// Runs the program over samples of `a`, one a scan, from a time base on; gives (active step, M) for each scan.

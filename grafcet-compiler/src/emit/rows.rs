@@ -1,10 +1,10 @@
 //! Rows and tables as Rust expressions.
 
 use grafcet_core::program::{
-    Arm, Armed, Assignment, Bit, Block, Code, Condition, Course, Crossing, Dependent, Duties, Edge, Edges,
-    Enclosing, Event, Evolution, Forced, Graph, Layout, Macro, Masks, Momentary, Number, NumberRow,
-    Op, Order, Preset, Rest, Retained, Role, Run, Seen, Sequel, Slot, Stamp, Step, Stored, Target, Term,
-    Timer, Transition, Unit, Watch,
+    Arm, Armed, Assignment, Bit, Block, Code, Condition, Course, Crossing, Dependent, Duties, Edge,
+    Edges, Enclosing, Event, Evolution, Forced, Graph, Layout, Macro, Masks, Momentary, Number,
+    NumberRow, Op, Order, Preset, Rest, Retained, Role, Run, Seen, Sequel, Slot, Stamp, Step,
+    Stored, Target, Term, Timer, Transition, Unit, Watch,
 };
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;

@@ -2,7 +2,9 @@
 
 use std::collections::BTreeMap;
 
-use grafcet_core::program::{Arm, Block, Duties, Graph, Macro, Masks, Role, Run, Sequel, Stamp, Step};
+use grafcet_core::program::{
+    Arm, Block, Duties, Graph, Macro, Masks, Role, Run, Sequel, Stamp, Step,
+};
 
 use super::atoms::Atom;
 use super::graph::{StepRuns, since};

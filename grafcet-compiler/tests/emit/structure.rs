@@ -1,7 +1,7 @@
 //! The graphs of that controller.
 
 use grafcet_core::program::{
-    Arm, Block, Crossing, Duties, Graph, Masks, Role, Run, Stamp, Step, Transition,
+    Arm, Block, Crossing, Duties, Graph, Masks, Role, Run, Sequel, Stamp, Step, Transition,
 };
 
 use super::run;
@@ -104,6 +104,7 @@ pub fn arm(transition: u16) -> Arm {
     Arm {
         transition,
         term: 1 + transition.min(1),
+        sequel: Sequel::NONE,
     }
 }
 

@@ -3,6 +3,24 @@
 use crate::program::{Evolution, Program};
 
 impl Program<'_> {
+    /// The program for an image in which nobody looks between two scans at which transitions have fired and which steps
+    /// were active before: neither is kept, unless the program itself asks for it.
+    #[must_use]
+    pub const fn unwatched(mut self) -> Self {
+        let (fired, was_active) = (self.asks_what_fired(), self.asks_what_was_active());
+        self.marks_all = fired;
+        if !fired && self.links.is_empty() {
+            self.layout.fired = 0;
+        }
+        if !was_active {
+            self.layout.before = 0;
+        }
+        if self.layout.sets > 0 {
+            self.layout.sets = self.layout.set_words() as u16;
+        }
+        self
+    }
+
     /// Whether the program itself asks which transitions have fired: for their `do` blocks, to evolve until it is
     /// stable, or because a graph forces or encloses another.
     #[must_use]

@@ -50,6 +50,7 @@ macro_rules! program_refused {
     )*};
 }
 
+mod asked;
 mod code;
 mod good;
 mod structure;
@@ -86,6 +87,9 @@ fn a_program_has_the_memory_that_its_way_of_working_needs_and_no_more() {
         standings = 2 => Layout;
         shown = 1 => Layout;
         sets = 1 => Layout;
+        armed = 3 => Layout;
+        before = 0 => Layout;
+        before = 4 => Layout;
         // One block for each word with steps.
         situations = run(2, 3) => Layout;
     }
@@ -134,7 +138,6 @@ fn a_first_value_lies_within_its_limits() {
 #[test]
 fn situations_are_not_exchanged_at_once_where_others_reach_into_them() {
     program_refused! {
-        crosses_at_once = true, sources = &[] => Layout;
         crosses_at_once = true, links = &[] => Layout;
     }
 }
@@ -336,7 +339,7 @@ fn a_storage_fits_exactly_its_program() {
     /// Whether storage of these lengths fits.
     macro_rules! fits {
         ($image:literal $numbers:literal $before:literal $before_scan:literal $fired:literal $passed:literal
-         $stack:literal $stamps:literal $standings:literal $shown:literal $sets:literal) => {{
+         $stack:literal $stamps:literal $standings:literal $shown:literal $sets:literal $armed:literal) => {{
             crate::storage!(Storage {
                 image: $image,
                 numbers: $numbers,
@@ -348,21 +351,23 @@ fn a_storage_fits_exactly_its_program() {
                 stamps: $stamps,
                 standings: $standings,
                 shown: $shown,
-                sets: $sets
+                sets: $sets,
+                armed: $armed
             });
             Storage::is_sized_for(&GOOD)
         }};
     }
-    assert!(fits!(13 4 5 5 1 0 2 4 3 0 0));
-    assert!(!fits!(12 4 5 5 1 0 2 4 3 0 0));
-    assert!(!fits!(13 3 5 5 1 0 2 4 3 0 0));
-    assert!(!fits!(13 4 4 5 1 0 2 4 3 0 0));
-    assert!(!fits!(13 4 5 4 1 0 2 4 3 0 0));
-    assert!(!fits!(13 4 5 5 2 0 2 4 3 0 0));
-    assert!(!fits!(13 4 5 5 1 1 2 4 3 0 0));
-    assert!(!fits!(13 4 5 5 1 0 1 4 3 0 0));
-    assert!(!fits!(13 4 5 5 1 0 2 5 3 0 0));
-    assert!(!fits!(13 4 5 5 1 0 2 4 2 0 0));
-    assert!(!fits!(13 4 5 5 1 0 2 4 3 1 0));
-    assert!(!fits!(13 4 5 5 1 0 2 4 3 0 1));
+    assert!(fits!(13 4 5 5 1 0 2 4 3 0 0 4));
+    assert!(!fits!(12 4 5 5 1 0 2 4 3 0 0 4));
+    assert!(!fits!(13 3 5 5 1 0 2 4 3 0 0 4));
+    assert!(!fits!(13 4 4 5 1 0 2 4 3 0 0 4));
+    assert!(!fits!(13 4 5 4 1 0 2 4 3 0 0 4));
+    assert!(!fits!(13 4 5 5 2 0 2 4 3 0 0 4));
+    assert!(!fits!(13 4 5 5 1 1 2 4 3 0 0 4));
+    assert!(!fits!(13 4 5 5 1 0 1 4 3 0 0 4));
+    assert!(!fits!(13 4 5 5 1 0 2 5 3 0 0 4));
+    assert!(!fits!(13 4 5 5 1 0 2 4 2 0 0 4));
+    assert!(!fits!(13 4 5 5 1 0 2 4 3 1 0 4));
+    assert!(!fits!(13 4 5 5 1 0 2 4 3 0 1 4));
+    assert!(!fits!(13 4 5 5 1 0 2 4 3 0 0 3));
 }

@@ -1,11 +1,12 @@
-//! The engine twice: as it walks over small programs, and with what it keeps of large ones: the sets of words, and what is armed in each.
+//! The engine three times: as it walks over small programs; with what it keeps of large ones, the sets of words and what
+//! is armed in each; and without what it keeps for whoever looks on.
 
 use grafcet_core::Engine;
 use grafcet_core::program::{Layout, Program, Slot};
 use grafcet_core::vectors::Vectors;
 
-/// The same tables, once as they are and once with sets.
-pub struct Tables<'t>([Program<'t>; 2]);
+/// The same tables, as they are, with sets, and with sets for an image in which nobody looks on.
+pub struct Tables<'t>([Program<'t>; 3]);
 
 impl<'t> Tables<'t> {
     pub fn of(tables: Program<'t>) -> Self {
@@ -15,12 +16,13 @@ impl<'t> Tables<'t> {
             armed: tables.layout.situations.len,
             ..tables.layout
         };
-        Tables([tables, Program { layout, ..tables }])
+        let large = Program { layout, ..tables };
+        Tables([tables, large, large.unwatched()])
     }
 }
 
-/// Two engines that are given the same.
-pub struct Twins<'t>([Engine<&'t Program<'t>, Vectors>; 2]);
+/// Three engines that are given the same.
+pub struct Twins<'t>([Engine<&'t Program<'t>, Vectors>; 3]);
 
 impl<'t> Twins<'t> {
     pub fn new(tables: &'t Tables<'t>) -> Self {
@@ -37,11 +39,13 @@ impl<'t> Twins<'t> {
         &self.0[0]
     }
 
-    /// Whether the latest scan left the same in both.
+    /// Whether the latest scan left the same in all.
     pub fn agree(&self) -> bool {
-        let [one, other] = &self.0;
+        let [one, other, unwatched] = &self.0;
         one.image() == other.image()
             && one.numbers() == other.numbers()
+            && one.image() == unwatched.image()
+            && one.numbers() == unwatched.numbers()
             && one.fired().eq(other.fired())
             && (0..one.program().graphs.len()).all(|graph| {
                 one.graph_changed(graph) == other.graph_changed(graph)
@@ -87,7 +91,7 @@ impl<'t> Twins<'t> {
         }
     }
 
-    /// False when it was an idle scan for both.
+    /// False when it was an idle scan for all.
     pub fn scan(&mut self, time_ms: u64) -> bool {
         self.0
             .each_mut()

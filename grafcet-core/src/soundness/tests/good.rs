@@ -1,10 +1,10 @@
 //! One good program that uses every table.
 
 use crate::program::{
-    Arm, Assignment, Bit, Block, Code, Condition, Crossing, Dependent, Duties, Edge, Edges,
-    Enclosing, Event, Evolution, Forced, Graph, Layout, Macro, Masks, Momentary, Number, NumberRow,
-    Op, Order, Preset, Program, Rest, Retained, Role, Run, Seen, Slot, Stamp, Step, Stored, Target,
-    Term, Timer, Transition, Unit, Watch,
+    Arm, Armed, Assignment, Bit, Block, Code, Condition, Course, Crossing, Dependent, Duties, Edge,
+    Edges, Enclosing, Event, Evolution, Forced, Graph, Layout, Macro, Masks, Momentary, Number,
+    NumberRow, Op, Order, Preset, Program, Rest, Retained, Role, Run, Seen, Sequel, Slot, Stamp,
+    Step, Stored, Target, Term, Timer, Transition, Unit, Watch,
 };
 
 pub(super) const fn run(start: u16, len: u16) -> Run {
@@ -62,6 +62,7 @@ const fn arm(transition: u16) -> Arm {
     Arm {
         transition,
         term: 1,
+        sequel: Sequel::NONE,
     }
 }
 
@@ -141,10 +142,13 @@ pub(super) const GOOD: Program<'static> = Program {
         standings: 3,
         shown: 0,
         sets: 0,
+        armed: 4,
+        before: 5,
     },
     read_inputs: &[0b111],
     reads_first_scan: false,
     crosses_at_once: false,
+    marks_all: true,
     graphs: &[
         Graph {
             steps: run(0, 3),
@@ -246,6 +250,12 @@ pub(super) const GOOD: Program<'static> = Program {
         Arm {
             transition: 0,
             term: 2,
+            sequel: Sequel {
+                next: Armed::UNKNOWN,
+                shows: 1,
+                enters: 1,
+                course: Course::Condition,
+            },
         },
         arm(1),
         arm(2),
