@@ -3,7 +3,7 @@
 use crate::bits::{bits_in_word, set_bits_of};
 use crate::engine::Engine;
 use crate::memory::Memory;
-use crate::program::{Arm, Armed, Block, Compiled, Course, Crossing, Graph, Run, Step, Transition};
+use crate::program::{Arm, Armed, Block, Compiled, Crossing, Graph, Run, Step, Transition};
 use crate::sets::{GROUP, Set, rows};
 use crate::walk::{Visit, VisitSteps, each};
 
@@ -39,6 +39,14 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
             marked.any = *marks != 0;
         }
         marked
+    }
+
+    /// What a row of the arms arms, if there is such a row.
+    #[inline(always)]
+    fn armed_by(&self, row: u16) -> Armed {
+        let tables = self.tables;
+        let arm = tables.program().arms.get(usize::from(row));
+        arm.map_or(Armed::UNKNOWN, |arm| Armed::by(row, arm.term))
     }
 
     /// Whether a term holds.
@@ -260,7 +268,7 @@ impl<P: Compiled, M: Memory> Marking<'_, P, M> {
         let tables = self.engine.tables;
         let program = tables.program();
         let row = usize::from(arm.transition);
-        if arm.sequel.course == Course::Condition {
+        if arm.sequel.course.asks_more() {
             let transition = program.transitions.get(row);
             if transition.is_none_or(|it| !self.engine.holds_apart(it.fires)) {
                 self.stay(place);
@@ -269,8 +277,9 @@ impl<P: Compiled, M: Memory> Marking<'_, P, M> {
         }
         self.mark(row, false);
         let now = self.engine.situation_word(place);
-        self.put_next(place, now, 1 << (arm.sequel.enters % 32));
-        self.engine.memory.put_armed(place, arm.sequel.next);
+        self.put_next(place, now, arm.sequel.course.enters());
+        let next = self.engine.armed_by(arm.sequel.next);
+        self.engine.memory.put_armed(place, next);
     }
 
     /// Nothing fires in a word.
@@ -393,7 +402,7 @@ impl<P: Compiled, M: Memory> Visit<Arm> for Marking<'_, P, M> {
     fn row(&mut self, arm: &Arm) {
         let tables = self.engine.tables;
         let program = tables.program();
-        if !P::UNROLLED && arm.sequel.course != Course::Free {
+        if !P::UNROLLED && !arm.sequel.course.is_free() {
             self.armed = Armed::by(self.first_arm, arm.term);
         }
         if !self.engine.term_holds(usize::from(arm.term)) {
@@ -404,7 +413,9 @@ impl<P: Compiled, M: Memory> Visit<Arm> for Marking<'_, P, M> {
             return;
         };
         if self.engine.holds_row(transition.fires) {
-            self.armed = arm.sequel.next;
+            if !P::UNROLLED {
+                self.armed = self.engine.armed_by(arm.sequel.next);
+            }
             let crossing = program.crossing(transition);
             self.mark(row, matches!(crossing, Crossing::Across { .. }));
             if let Crossing::Within { leaves, enters } = crossing {

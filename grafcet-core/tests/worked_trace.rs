@@ -2,9 +2,9 @@
 
 use grafcet_core::Engine;
 use grafcet_core::program::{
-    Arm, Armed, Bit, Block, Condition, Course, Crossing, Duties, Edges, Evolution, Graph, Layout,
-    Masks, Momentary, NumberRow, Preset, Program, Rest, Role, Run, Seen, Sequel, Stamp, Step,
-    Target, Term, Timer, Transition,
+    Arm, Bit, Block, Condition, Course, Crossing, Duties, Edges, Evolution, Graph, Layout, Masks,
+    Momentary, NumberRow, Preset, Program, Rest, Role, Run, Seen, Sequel, Stamp, Step, Target,
+    Term, Timer, Transition,
 };
 
 const A: Bit = Bit(32);
@@ -130,20 +130,18 @@ static PROGRAM: Program<'static> = Program {
             transition: 0,
             term: 0,
             sequel: Sequel {
-                next: Armed::by(1, 1),
+                next: 1,
                 shows: 0,
-                enters: 1,
-                course: Course::Term,
+                course: Course::to(1, false),
             },
         },
         Arm {
             transition: 1,
             term: 1,
             sequel: Sequel {
-                next: Armed::by(0, 0),
+                next: 0,
                 shows: 1,
-                enters: 0,
-                course: Course::Condition,
+                course: Course::to(0, true),
             },
         },
     ],

@@ -1,10 +1,10 @@
 //! Rows and tables as Rust expressions.
 
 use grafcet_core::program::{
-    Arm, Armed, Assignment, Bit, Block, Code, Condition, Course, Crossing, Dependent, Duties, Edge,
-    Edges, Enclosing, Event, Evolution, Forced, Graph, Layout, Macro, Masks, Momentary, Number,
-    NumberRow, Op, Order, Preset, Rest, Retained, Role, Run, Seen, Sequel, Slot, Stamp, Step,
-    Stored, Target, Term, Timer, Transition, Unit, Watch,
+    Arm, Assignment, Bit, Block, Code, Condition, Course, Crossing, Dependent, Duties, Edge, Edges,
+    Enclosing, Event, Evolution, Forced, Graph, Layout, Macro, Masks, Momentary, Number, NumberRow,
+    Op, Order, Preset, Rest, Retained, Role, Run, Seen, Sequel, Slot, Stamp, Step, Stored, Target,
+    Term, Timer, Transition, Unit, Watch,
 };
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
@@ -50,7 +50,7 @@ structs! {
     Block => Block { first masks momentary }
     Masks => Masks { timed stored on_activation on_deactivation on_event forcing }
     Arm => Arm { transition term sequel }
-    Sequel => Sequel { next shows enters course }
+    Sequel => Sequel { next shows course }
     Macro => Macro { bit graph steps activated }
     Transition => Transition { fires crossing actions }
     Enclosing => Enclosing { step situation at_start }
@@ -81,7 +81,7 @@ macro_rules! indices {
     )*};
 }
 
-indices! { Armed Bit Number Stamp }
+indices! { Bit Course Number Stamp }
 
 /// A variant with named fields is the literals of its fields.
 macro_rules! variant {
@@ -103,7 +103,6 @@ macro_rules! names {
 }
 
 names! {
-    Course { Free Term Condition }
     Edge { Rising Falling }
     Evolution { Scan Stable }
     Unit { Milliseconds Seconds }

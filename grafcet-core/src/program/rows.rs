@@ -180,40 +180,64 @@ pub struct Arm {
 /// other step of the same word. While it is the only active step of its word, nothing else need be looked up.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Sequel {
-    /// What the other step arms.
-    pub next: Armed,
+    /// Row of [`Program::arms`](super::Program::arms): what the other step arms, or [`Sequel::NO_NEXT`].
+    pub next: u16,
     /// What the step shows: [`Sequel::SHOWS_NOTHING`], [`Sequel::SHOWS_MORE`], or the row of
     /// [`Program::targets`](super::Program::targets), counted from 1, that it shows whatever holds.
-    pub shows: u16,
-    /// The other step, as a bit of their word.
-    pub enters: u8,
-    /// Whether there is one, and when the transition fires.
+    pub shows: u8,
+    /// Which step the other one is, and when it is entered.
     pub course: Course,
 }
 
 impl Sequel {
     /// None: the step stands in no sequence.
     pub const NONE: Sequel = Sequel {
-        next: Armed::UNKNOWN,
+        next: Sequel::NO_NEXT,
         shows: Sequel::SHOWS_NOTHING,
-        enters: 0,
-        course: Course::Free,
+        course: Course::FREE,
     };
+    /// The other step stands in no sequence.
+    pub const NO_NEXT: u16 = u16::MAX;
     /// The step has no momentary action.
-    pub const SHOWS_NOTHING: u16 = 0;
-    /// The step has momentary actions with conditions, or more than one.
-    pub const SHOWS_MORE: u16 = u16::MAX;
+    pub const SHOWS_NOTHING: u8 = 0;
+    /// The step has momentary actions with conditions or more than one, or its row does not fit.
+    pub const SHOWS_MORE: u8 = u8::MAX;
 }
 
-/// How a step goes on.
+/// How a step goes on: in the lowest five bits which bit of the word it enters, above them what it waits for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Course {
+pub struct Course(pub u8);
+
+impl Course {
     /// In any way, since it stands in no sequence.
-    Free,
-    /// In a sequence, as soon as the first term of its transition holds.
-    Term,
-    /// In a sequence, as soon as the first term and [`Transition::fires`] hold.
-    Condition,
+    pub const FREE: Course = Course(0x80);
+    const ASKS_MORE: u8 = 0x20;
+
+    /// In a sequence, to a bit of the word: as soon as the first term of its transition holds, and
+    /// [`Transition::fires`] if that asks for more.
+    #[must_use]
+    pub const fn to(bit: u8, asks_more: bool) -> Course {
+        let more = if asks_more { Self::ASKS_MORE } else { 0 };
+        Course(bit & 0x1f | more)
+    }
+
+    /// Whether the step stands in no sequence.
+    #[inline(always)]
+    pub(crate) const fn is_free(self) -> bool {
+        self.0 == Self::FREE.0
+    }
+
+    /// Whether the first term is not all that the transition asks for.
+    #[inline(always)]
+    pub(crate) const fn asks_more(self) -> bool {
+        self.0 & Self::ASKS_MORE != 0
+    }
+
+    /// The step that is entered, in its word.
+    #[inline(always)]
+    pub(crate) const fn enters(self) -> u32 {
+        1 << (self.0 & 0x1f)
+    }
 }
 
 /// What is armed in a word of situations in which one step is active, when it stands in a sequence: a row of

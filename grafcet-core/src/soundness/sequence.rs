@@ -1,6 +1,6 @@
 //! Steps that stand in a sequence.
 
-use crate::program::{Arm, Armed, Course, Crossing, Graph, Program, Sequel, Step};
+use crate::program::{Arm, Course, Crossing, Graph, Program, Sequel, Step};
 
 impl Program<'_> {
     /// How it goes on behind a step of a graph, counted from the graph's first one, as the other tables have it. It is
@@ -13,18 +13,14 @@ impl Program<'_> {
         let step = self.step_of(graph, place);
         let behind = self.step_of(graph, enters);
         let next = match self.step_behind(graph, enters) {
-            Some(_) => Armed::by(behind.first_arm, self.only_arm(behind).term),
-            None => Armed::UNKNOWN,
+            Some(_) => behind.first_arm,
+            None => Sequel::NO_NEXT,
         };
         let transition = self.only_arm(step).transition as usize;
         Sequel {
             next,
             shows: self.shows(step),
-            enters: enters as u8,
-            course: match self.transitions[transition].fires {
-                0 => Course::Term,
-                _ => Course::Condition,
-            },
+            course: Course::to(enters as u8, self.transitions[transition].fires > 0),
         }
     }
 
@@ -58,10 +54,9 @@ impl Program<'_> {
         let mut i = first as usize;
         while i < first as usize + arms as usize {
             let own = &self.arms[i].sequel;
-            if own.next.0 != sequel.next.0
+            if own.next != sequel.next
                 || own.shows != sequel.shows
-                || own.enters != sequel.enters
-                || own.course as u8 != sequel.course as u8
+                || own.course.0 != sequel.course.0
             {
                 return false;
             }
@@ -96,14 +91,16 @@ impl Program<'_> {
         &self.arms[step.first_arm as usize]
     }
 
-    const fn shows(&self, step: &Step) -> u16 {
+    const fn shows(&self, step: &Step) -> u8 {
         match step.momentary_count {
             0 => Sequel::SHOWS_NOTHING,
             1 => {
                 let row = &self.momentary[step.first_momentary as usize];
-                match row.targets.start.checked_add(1) {
-                    Some(target) if row.condition == 0 && row.targets.len == 1 => target,
-                    _ => Sequel::SHOWS_MORE,
+                let target = row.targets.start as usize + 1;
+                let fits = target < Sequel::SHOWS_MORE as usize;
+                match fits && row.condition == 0 && row.targets.len == 1 {
+                    true => target as u8,
+                    false => Sequel::SHOWS_MORE,
                 }
             }
             _ => Sequel::SHOWS_MORE,

@@ -1,7 +1,7 @@
 //! What is kept for the next scan.
 
 use super::*;
-use crate::program::{Armed, Course, Duties, Program, Sequel};
+use crate::program::{Course, Duties, Program, Sequel};
 
 #[test]
 fn what_the_program_asks_of_the_scan_before_is_kept() {
@@ -52,12 +52,12 @@ fn what_the_program_asks_of_the_scan_before_is_kept() {
 fn arms_say_how_it_goes_on_behind_their_steps() {
     refused! {
         arms[0].sequel = Sequel::NONE => Sequences;
-        arms[0].sequel.next = Armed::by(1, 1) => Sequences;
-        arms[0].sequel.enters = 2 => Sequences;
+        arms[0].sequel.next = 1 => Sequences;
         arms[0].sequel.shows = Sequel::SHOWS_NOTHING => Sequences;
-        arms[0].sequel.course = Course::Term => Sequences;
-        arms[1].sequel.course = Course::Term => Sequences;
-        arms[2].sequel.course = Course::Term => Sequences;
-        arms[3].sequel.enters = 1 => Sequences;
+        arms[0].sequel.course = Course::to(2, true) => Sequences;
+        arms[0].sequel.course = Course::to(1, false) => Sequences;
+        arms[1].sequel.course = Course::to(2, false) => Sequences;
+        arms[2].sequel.course = Course::to(0, false) => Sequences;
+        arms[3].sequel.shows = 1 => Sequences;
     }
 }

@@ -1,10 +1,10 @@
 //! One good program that uses every table.
 
 use crate::program::{
-    Arm, Armed, Assignment, Bit, Block, Code, Condition, Course, Crossing, Dependent, Duties, Edge,
-    Edges, Enclosing, Event, Evolution, Forced, Graph, Layout, Macro, Masks, Momentary, Number,
-    NumberRow, Op, Order, Preset, Program, Rest, Retained, Role, Run, Seen, Sequel, Slot, Stamp,
-    Step, Stored, Target, Term, Timer, Transition, Unit, Watch,
+    Arm, Assignment, Bit, Block, Code, Condition, Course, Crossing, Dependent, Duties, Edge, Edges,
+    Enclosing, Event, Evolution, Forced, Graph, Layout, Macro, Masks, Momentary, Number, NumberRow,
+    Op, Order, Preset, Program, Rest, Retained, Role, Run, Seen, Sequel, Slot, Stamp, Step, Stored,
+    Target, Term, Timer, Transition, Unit, Watch,
 };
 
 pub(super) const fn run(start: u16, len: u16) -> Run {
@@ -251,10 +251,9 @@ pub(super) const GOOD: Program<'static> = Program {
             transition: 0,
             term: 2,
             sequel: Sequel {
-                next: Armed::UNKNOWN,
+                next: Sequel::NO_NEXT,
                 shows: 1,
-                enters: 1,
-                course: Course::Condition,
+                course: Course::to(1, true),
             },
         },
         arm(1),
