@@ -360,8 +360,8 @@ impl<P: Compiled, M: Memory> VisitSteps for Marking<'_, P, M> {
     fn passes(&mut self, place: usize) -> bool {
         let memory = &mut self.engine.memory;
         let passes = memory.armed(place) == Armed::NOTHING;
-        if passes && memory.has_sets() {
-            memory.let_sleep(place);
+        if passes && memory.has_sets() && place % GROUP == GROUP - 1 {
+            memory.let_sleep(place / GROUP);
         }
         passes
     }

@@ -61,12 +61,11 @@ impl<M: Memory> Bank<M> {
         }
     }
 
-    /// Takes the group of a word of situations out of the set, if it is the last word and nothing is active in any.
-    pub(crate) fn let_sleep(&mut self, place: usize) {
-        let group = place / GROUP;
+    /// Takes a group of words of situations out of the set, if nothing is active in any of them, nor was.
+    #[inline(never)]
+    pub(crate) fn let_sleep(&mut self, group: usize) {
         let armed = self.store.armed().chunks(GROUP).nth(group);
-        let armed = armed.unwrap_or_default();
-        if place % GROUP + 1 != armed.len() || armed.iter().any(|it| *it != Armed::NOTHING) {
+        if armed.is_none_or(|armed| armed.iter().any(|it| *it != Armed::NOTHING)) {
             return;
         }
         let row = self.first(Set::Lively) + group / 32;

@@ -50,7 +50,6 @@ structs! {
     Block => Block { first masks momentary }
     Masks => Masks { timed stored on_activation on_deactivation on_event forcing }
     Arm => Arm { transition term sequel }
-    Sequel => Sequel { next shows course }
     Macro => Macro { bit graph steps activated }
     Transition => Transition { fires crossing actions }
     Enclosing => Enclosing { step situation at_start }
@@ -168,6 +167,21 @@ impl Row for Run {
         }
         let (start, len) = (self.start.literal(), self.len.literal());
         quote!(Run { start: #start, len: #len })
+    }
+}
+
+impl Row for Sequel {
+    fn literal(&self) -> TokenStream {
+        if *self == Sequel::NONE {
+            return quote!(Sequel::NONE);
+        }
+        let Sequel {
+            next,
+            shows,
+            course,
+        } = self;
+        let (next, shows, course) = (next.literal(), shows.literal(), course.literal());
+        quote!(Sequel { next: #next, shows: #shows, course: #course })
     }
 }
 

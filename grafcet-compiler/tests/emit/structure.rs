@@ -1,7 +1,7 @@
 //! The graphs of that controller.
 
 use grafcet_core::program::{
-    Arm, Block, Crossing, Duties, Graph, Masks, Role, Run, Sequel, Stamp, Step, Transition,
+    Arm, Block, Course, Crossing, Duties, Graph, Masks, Role, Run, Sequel, Stamp, Step, Transition,
 };
 
 use super::run;
@@ -104,7 +104,15 @@ pub fn arm(transition: u16) -> Arm {
     Arm {
         transition,
         term: 1 + transition.min(1),
-        sequel: Sequel::NONE,
+        sequel: match transition {
+            // From the first step of the first graph to its second one, and back.
+            0 | 1 => Sequel {
+                next: 1 - transition,
+                shows: 1,
+                course: Course::to(1 - transition as u8, true),
+            },
+            _ => Sequel::NONE,
+        },
     }
 }
 

@@ -7,6 +7,7 @@ mod limits;
 mod logic;
 mod places;
 mod plants;
+mod sequence;
 mod sharing;
 mod structure;
 mod substitution;

@@ -17,14 +17,17 @@ pub static PROGRAM: Program<'static> = Program {
         stack: 2,
         fired: 1,
         passed: 0,
+        before: 5,
         remembered: 5,
         standings: 3,
         shown: 0,
         sets: 0,
+        armed: 0,
     },
     read_inputs: &[3221225473],
     reads_first_scan: true,
     crosses_at_once: false,
+    marks_all: true,
     graphs: &[
         Graph {
             steps: Run { start: 0, len: 3 },
@@ -478,11 +481,39 @@ pub static PROGRAM: Program<'static> = Program {
     do_blocks: &[Run::EMPTY, Run { start: 1, len: 1 }],
     links: &[0, 32],
     arms: &[
-        Arm { transition: 0, term: 1 },
-        Arm { transition: 1, term: 2 },
-        Arm { transition: 2, term: 2 },
-        Arm { transition: 3, term: 2 },
-        Arm { transition: 4, term: 2 },
+        Arm {
+            transition: 0,
+            term: 1,
+            sequel: Sequel {
+                next: 1,
+                shows: 1,
+                course: Course(33),
+            },
+        },
+        Arm {
+            transition: 1,
+            term: 2,
+            sequel: Sequel {
+                next: 0,
+                shows: 1,
+                course: Course(32),
+            },
+        },
+        Arm {
+            transition: 2,
+            term: 2,
+            sequel: Sequel::NONE,
+        },
+        Arm {
+            transition: 3,
+            term: 2,
+            sequel: Sequel::NONE,
+        },
+        Arm {
+            transition: 4,
+            term: 2,
+            sequel: Sequel::NONE,
+        },
     ],
     situations: &[1, 1, 5, 1, 0],
     enclosings: &[
@@ -940,7 +971,7 @@ pub static NAMES: Names<'static> = Names {
 };
 grafcet_core::storage!(
     Storage { image : 13, numbers : 4, before : 5, before_scan : 5, fired : 1, passed :
-    0, stack : 2, stamps : 4, standings : 3, shown : 0, sets : 0 }
+    0, stack : 2, stamps : 4, standings : 3, shown : 0, sets : 0, armed : 0 }
 );
 const _: () = assert!(Storage::is_sized_for(& PROGRAM));
 /// The plants, with the wires between their images and the controller's.
@@ -964,14 +995,17 @@ pub static PLANTS: [PlantTables; 1] = [
                 stack: 2,
                 fired: 1,
                 passed: 1,
+                before: 5,
                 remembered: 5,
                 standings: 3,
                 shown: 0,
                 sets: 0,
+                armed: 0,
             },
             read_inputs: &[3221225473],
             reads_first_scan: true,
             crosses_at_once: false,
+            marks_all: true,
             graphs: &[
                 Graph {
                     steps: Run { start: 0, len: 3 },
@@ -1425,11 +1459,39 @@ pub static PLANTS: [PlantTables; 1] = [
             do_blocks: &[Run::EMPTY, Run { start: 1, len: 1 }],
             links: &[0, 32],
             arms: &[
-                Arm { transition: 0, term: 1 },
-                Arm { transition: 1, term: 2 },
-                Arm { transition: 2, term: 2 },
-                Arm { transition: 3, term: 2 },
-                Arm { transition: 4, term: 2 },
+                Arm {
+                    transition: 0,
+                    term: 1,
+                    sequel: Sequel {
+                        next: 1,
+                        shows: 1,
+                        course: Course(33),
+                    },
+                },
+                Arm {
+                    transition: 1,
+                    term: 2,
+                    sequel: Sequel {
+                        next: 0,
+                        shows: 1,
+                        course: Course(32),
+                    },
+                },
+                Arm {
+                    transition: 2,
+                    term: 2,
+                    sequel: Sequel::NONE,
+                },
+                Arm {
+                    transition: 3,
+                    term: 2,
+                    sequel: Sequel::NONE,
+                },
+                Arm {
+                    transition: 4,
+                    term: 2,
+                    sequel: Sequel::NONE,
+                },
             ],
             situations: &[1, 1, 5, 1, 0],
             enclosings: &[

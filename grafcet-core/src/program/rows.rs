@@ -236,7 +236,8 @@ impl Course {
     /// The step that is entered, in its word.
     #[inline(always)]
     pub(crate) const fn enters(self) -> u32 {
-        1 << (self.0 & 0x1f)
+        // Turned round by what lies above, it is where it was.
+        1_u32.rotate_left(self.0 as u32)
     }
 }
 
