@@ -194,6 +194,7 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
         self.run_lasting();
         self.run_momentary();
         self.memory.forget_start();
+        self.find_armed();
         if !self.keeps_first_scan() {
             self.memory.clear_bit(Bit::FIRST_SCAN);
         }

@@ -71,6 +71,17 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
         self.memory.word(first + place)
     }
 
+    /// Finds out what is armed where one step is active, so that the next scan need not.
+    pub(crate) fn find_armed(&mut self) {
+        if !P::UNROLLED && !self.memory.store.armed().is_empty() {
+            let tables = self.tables;
+            tables.each_step(&mut Finding {
+                engine: self,
+                armed: Armed::UNKNOWN,
+            });
+        }
+    }
+
     /// Takes back all marks.
     #[inline(always)]
     pub(crate) fn clear_marks(&mut self) {
@@ -217,6 +228,36 @@ impl<P: Compiled, M: Memory> VisitSteps for Exchanging<'_, P, M> {
 
     #[inline(always)]
     fn leave(&mut self, _: usize) {}
+}
+
+/// Finds out what is armed.
+struct Finding<'e, P, M> {
+    engine: &'e mut Engine<P, M>,
+    armed: Armed,
+}
+
+impl<P: Compiled, M: Memory> VisitSteps for Finding<'_, P, M> {
+    fn groups(&self, row: usize) -> u32 {
+        self.engine.memory.members(Set::Lively, row)
+    }
+
+    fn choose(&mut self, place: usize, _: &Block) -> u32 {
+        self.armed = Armed::UNKNOWN;
+        let now = self.engine.situation_word(place);
+        if now.is_power_of_two() { now } else { 0 }
+    }
+
+    fn step(&mut self, step: &Step) {
+        let tables = self.engine.tables;
+        let arms = step.arms().of(tables.program().arms);
+        if arms.iter().any(|arm| !arm.sequel.course.is_free()) {
+            self.armed = self.engine.armed_by(step.first_arm);
+        }
+    }
+
+    fn leave(&mut self, place: usize) {
+        self.engine.memory.put_armed(place, self.armed);
+    }
 }
 
 /// Looks at armed transitions.

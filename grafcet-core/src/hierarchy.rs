@@ -210,12 +210,11 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
         let tables = self.tables;
         let first = usize::from(tables.program().layout.situations.start);
         let place = word.saturating_sub(first);
-        self.memory.put_armed(place, Armed::UNKNOWN);
         if value != 0 {
             self.memory.insert(Set::Lively, place);
         }
-        if let Some(word) = self.memory.store.image_mut().get_mut(word) {
-            *word = value;
+        if self.memory.put_word(word, value) {
+            self.memory.put_armed(place, Armed::UNKNOWN);
         }
     }
 

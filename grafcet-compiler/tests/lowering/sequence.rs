@@ -44,6 +44,20 @@ fn nothing_follows_in_a_sequence_behind_its_last_step() {
 }
 
 #[test]
+fn a_sequence_of_many_steps_goes_on_within_each_word() {
+    let steps: String = (2..=40).map(|step| format!("step {step}; ")).collect();
+    let ways: String = (1..40)
+        .map(|step| format!("transition {step}: {step} -> {} when a\n", step + 1))
+        .collect();
+    let tables = graph(&format!("initial step 1; {steps}\n{ways}"));
+    assert_eq!(sequel(&tables, 30).course, Course::to(31, false));
+    assert_eq!(sequel(&tables, 30).next, Sequel::NO_NEXT);
+    assert_eq!(sequel(&tables, 31), Sequel::NONE);
+    assert_eq!(sequel(&tables, 32).course, Course::to(1, false));
+    assert_eq!(sequel(&tables, 32).next, tables.steps[33].first_arm);
+}
+
+#[test]
 fn a_step_of_a_sequence_names_the_one_output_that_it_shows() {
     let source = |action: &str| {
         format!(

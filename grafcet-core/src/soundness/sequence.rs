@@ -20,7 +20,7 @@ impl Program<'_> {
         Sequel {
             next,
             shows: self.shows(step),
-            course: Course::to(enters as u8, self.transitions[transition].fires > 0),
+            course: Course::to((enters % 32) as u8, self.transitions[transition].fires > 0),
         }
     }
 
@@ -78,6 +78,14 @@ impl Program<'_> {
                 if leaves == 1 << place && enters.is_power_of_two() && enters != leaves =>
             {
                 Some(enters.trailing_zeros() as u16)
+            }
+            Crossing::Across { entrance, exit } if entrance.len == 1 && exit.len == 1 => {
+                let enters = self.links[exit.start as usize];
+                if enters / 32 == place / 32 && enters != place {
+                    Some(enters)
+                } else {
+                    None
+                }
             }
             _ => None,
         }
