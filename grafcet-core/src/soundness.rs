@@ -7,6 +7,7 @@
 
 mod asked;
 mod code;
+mod exchange;
 mod rows;
 mod sequence;
 mod structure;
@@ -42,6 +43,8 @@ pub enum Unsound {
     Codes,
     /// An arm names a term that is not there, or a transition that does not leave the step that arms it.
     Arms,
+    /// A situation is exchanged before a trigger reads it.
+    Exchange,
     /// An arm says wrongly how it goes on behind its step.
     Sequences,
     /// What a step does beside momentary actions points outside a table, or row 0 does something.
@@ -82,6 +85,7 @@ impl Unsound {
             Unsound::Timers => "the table of timers on steps is unsound",
             Unsound::Codes => "the code of the conditions is unsound",
             Unsound::Arms => "the table of armed transitions is unsound",
+            Unsound::Exchange => "a situation is exchanged before it is read",
             Unsound::Sequences => "the sequences in the table of armed transitions are unsound",
             Unsound::Duties => "the table of what steps do is unsound",
             Unsound::Roles => "the table of what few graphs have is unsound",
@@ -208,6 +212,8 @@ impl Program<'_> {
             Some(Unsound::Momentary)
         } else if !self.edges_are_sound() || !self.watches_are_sound() {
             Some(Unsound::Watches)
+        } else if self.crosses_at_once && !self.can_cross_at_once() {
+            Some(Unsound::Exchange)
         } else if !self.sequences_are_sound() {
             Some(Unsound::Sequences)
         } else if !self.first_values_are_sound() {
@@ -244,7 +250,6 @@ impl Program<'_> {
         }
         self.period_ms >= 1
             && self.read_inputs.len() == layout.inputs.len as usize
-            && (!self.crosses_at_once || self.sources.is_empty())
             && layout.words >= 1
             && layout.number_inputs.is_within(layout.numbers as usize)
             && (layout.number_inputs.len == 0

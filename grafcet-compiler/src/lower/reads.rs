@@ -1,6 +1,6 @@
 //! Who reads what.
 
-use grafcet_core::program::{Bit, Condition, Op, Rest, Run, Transition};
+use grafcet_core::program::{Bit, Op};
 
 use crate::application::Tables;
 
@@ -25,53 +25,6 @@ pub(super) fn inputs(tables: &Tables) -> Vec<u32> {
 pub(super) fn first_scan(tables: &Tables) -> bool {
     let bit = Bit::FIRST_SCAN;
     conditions(tables).any(|(word, mask)| usize::from(word) == bit.word() && mask & bit.mask() != 0)
-}
-
-/// Whether the situation of a word can be exchanged as soon as its steps have been looked at, since no trigger that is
-/// evaluated later reads it.
-pub(super) fn crosses_at_once(tables: &Tables) -> bool {
-    let first = tables.layout.situations.start;
-    tables.sources.is_empty()
-        && tables.graphs.iter().all(|graph| {
-            let earlier = first..graph.first_word;
-            let arms =
-                rows(&tables.steps, graph.steps).flat_map(|step| rows(&tables.arms, step.arms()));
-            let terms = arms.filter_map(|arm| tables.terms.get(usize::from(arm.term)));
-            let transitions = rows(&tables.transitions, graph.transitions);
-            let triggers =
-                transitions.flat_map(|transition| words(tables, condition(tables, transition)));
-            !terms
-                .map(|term| term.word)
-                .chain(triggers)
-                .any(|word| earlier.contains(&word))
-        })
-}
-
-/// When a transition fires, but for its first term.
-fn condition(tables: &Tables, transition: &Transition) -> Condition {
-    tables.program().condition(transition.fires)
-}
-
-/// The words that a condition reads.
-fn words(tables: &Tables, condition: Condition) -> impl Iterator<Item = u16> + use<'_> {
-    let terms = rows(&tables.terms, condition.terms).map(|term| term.word);
-    let code = match condition.rest {
-        Rest::Code(code) | Rest::Logic(code) => tables.codes.get(usize::from(code)),
-        Rest::None | Rest::Elapsed(_) | Rest::Running(_) => None,
-    };
-    let ops = code.into_iter().flat_map(|code| {
-        let start = code.start as usize;
-        tables.ops.iter().skip(start).take(usize::from(code.len))
-    });
-    let bits = ops.filter_map(|op| match op {
-        Op::Bit(bit) => Some(bit.0 / 32),
-        _ => None,
-    });
-    terms.chain(bits)
-}
-
-fn rows<T>(table: &[T], run: Run) -> impl Iterator<Item = &T> {
-    table.get(run.indices()).into_iter().flatten()
 }
 
 /// The words and bits that conditions and values read.

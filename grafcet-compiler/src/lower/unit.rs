@@ -252,7 +252,7 @@ impl<'m> Lowering<'m> {
         };
         tables.read_inputs = reads::inputs(&tables);
         tables.reads_first_scan = reads::first_scan(&tables);
-        tables.crosses_at_once = reads::crosses_at_once(&tables);
+        tables.crosses_at_once = tables.program().can_cross_at_once();
         tables.fingerprint = fingerprint::of(&tables);
         debug_assert_eq!(tables.program().unsoundness(), None);
         Ok((tables, self.places))

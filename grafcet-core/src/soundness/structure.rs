@@ -1,6 +1,6 @@
 //! Graphs, what arms their transitions, and where these lead.
 
-use crate::program::{Crossing, Graph, Op, Program, Rest, Run, Transition};
+use crate::program::{Crossing, Graph, Program, Run};
 
 impl Program<'_> {
     pub(super) const fn graphs_are_sound(&self) -> bool {
@@ -202,7 +202,6 @@ impl Program<'_> {
                 let sound = (transition.crossing as usize) < self.crossings.len()
                     && self.crossing_is_sound(graph, self.crossings[transition.crossing as usize])
                     && self.condition_row_is_sound(transition.fires)
-                    && (!self.crosses_at_once || self.sees_no_earlier(graph, transition))
                     && (transition.actions as usize) < self.do_blocks.len();
                 if !sound {
                     return false;
@@ -230,54 +229,6 @@ impl Program<'_> {
                     && self.links_are_steps_of(graph, exit)
             }
         }
-    }
-
-    /// Whether a transition reads no situation of an earlier graph, which has been exchanged by then.
-    const fn sees_no_earlier(&self, graph: &Graph, transition: &Transition) -> bool {
-        let fires = self.conditions[transition.fires as usize];
-        let terms = fires.terms;
-        let mut i = terms.start as usize;
-        while i < terms.end() {
-            if self.is_earlier(graph, self.terms[i].word) {
-                return false;
-            }
-            i += 1;
-        }
-        if let Rest::Code(row) | Rest::Logic(row) = fires.rest {
-            let code = self.codes[row as usize];
-            let mut i = code.start as usize;
-            while i < code.start as usize + code.len as usize {
-                if let Op::Bit(bit) = &self.ops[i]
-                    && self.is_earlier(graph, bit.0 >> 5)
-                {
-                    return false;
-                }
-                i += 1;
-            }
-        }
-        true
-    }
-
-    /// Whether a word holds the situation of a graph before that one.
-    const fn is_earlier(&self, graph: &Graph, word: u16) -> bool {
-        self.layout.situations.start <= word && word < graph.first_word
-    }
-
-    /// Whether what a step arms first reads no situation of an earlier graph either.
-    pub(super) const fn arms_see_no_earlier(&self, graph: &Graph) -> bool {
-        let mut i = graph.steps.start as usize;
-        while i < graph.steps.end() {
-            let arms = self.steps[i].arms();
-            let mut j = arms.start as usize;
-            while j < arms.end() {
-                if self.is_earlier(graph, self.terms[self.arms[j].term as usize].word) {
-                    return false;
-                }
-                j += 1;
-            }
-            i += 1;
-        }
-        true
     }
 
     const fn links_are_steps_of(&self, graph: &Graph, links: Run) -> bool {

@@ -138,7 +138,7 @@ fn a_first_value_lies_within_its_limits() {
 #[test]
 fn situations_are_not_exchanged_at_once_where_others_reach_into_them() {
     program_refused! {
-        crosses_at_once = true, links = &[] => Layout;
+        crosses_at_once = true => Exchange;
     }
 }
 
