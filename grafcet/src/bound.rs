@@ -241,15 +241,18 @@ fn walks(rows: Rows<'_>, graphs: &[Acting<'_>], walks: Walks) -> Work {
             .map(|mask| Work::one(Kind::Word) + Work::of(Kind::Sleepers, groups(mask).count()))
             .sum();
     }
+    // On one of the walks these are followed.
+    let followed = graphs.iter().filter(|graph| graph.is_followed()).count();
     let count = match walks {
         Walks::Scan => 1 + usize::from(program.lasting_in_steps),
         Walks::Round => {
-            2 + usize::from(program.layout.stamps > 0)
+            1 + usize::from(!program.crosses_at_once)
+                + usize::from(program.layout.stamps > 0)
                 + usize::from(!program.events.is_empty())
                 + 2 * usize::from(program.stores_on_change)
         }
     };
-    Work::of(Kind::WordLooped, lively(program, graphs) * count)
+    Work::of(Kind::WordLooped, lively(program, graphs) * count - followed)
         + Work::of(Kind::Sets, usize::from(program.layout.sets) * count)
 }
 

@@ -1,6 +1,6 @@
 //! The most that one graph takes, and the situation in which it does.
 
-use grafcet_core::program::{Graph, Step};
+use grafcet_core::program::{Graph, Sequel, Step};
 
 use super::activity::Activity;
 use super::rows::Rows;
@@ -42,6 +42,29 @@ impl Acting<'_> {
         let steps = &self.activity.steps;
         self.rows.program.role(self.graph).sources.len > 0
             || (0..steps.size()).any(|step| steps.are(step, step))
+    }
+
+    /// Whether it is always known what it arms: one step is active, and wherever it goes, that stands in a sequence.
+    pub fn is_followed(&self) -> bool {
+        let program = self.rows.program;
+        let active = &self.activity.steps;
+        let goes_on = |place| {
+            self.sequel(place)
+                .is_some_and(|it| it.next != Sequel::NO_NEXT)
+        };
+        program.layout.armed > 0
+            && self.can_be_active()
+            && self.activity.most <= 1
+            && self.activity.given.is_empty()
+            && !self.is_held()
+            && program.role(self.graph).sources.len == 0
+            && (0..active.size()).all(|place| !active.are(place, place) || goes_on(place))
+    }
+
+    /// How it goes on behind a step.
+    fn sequel(&self, place: usize) -> Option<Sequel> {
+        let arms = self.step(place)?.arms().of(self.rows.program.arms);
+        arms.first().map(|arm| arm.sequel)
     }
 
     /// The most that it takes on a processor.
@@ -119,8 +142,11 @@ impl Acting<'_> {
         };
         let rows = self.rows;
         let duties = rows.duties(step);
-        rows.visit(rows.arms(step.arms(), true))
-            + rows.visit(duties.map_or(Work::NONE, |duties| rows.events(duties)))
+        let arms = match self.is_followed() {
+            true => Work::one(Kind::Followed) + rows.more_than_terms(step.arms()),
+            false => rows.visit(rows.arms(step.arms(), true)),
+        };
+        arms + rows.visit(duties.map_or(Work::NONE, |duties| rows.events(duties)))
     }
 
     /// What it does while it is active.
@@ -131,8 +157,16 @@ impl Acting<'_> {
         let rows = self.rows;
         let duties = rows.duties(step);
         let orders = duties.map_or(Work::NONE, |it| rows.visit(rows.orders(it.orders)));
-        let lasting = duties.map_or(Work::NONE, |it| rows.visit(rows.stored(it.stored)))
-            + rows.visit(rows.momentary(step.momentary()));
+        let momentary = || rows.visit(rows.momentary(step.momentary()));
+        let shown = match (self.is_followed(), self.sequel(place)) {
+            (true, Some(sequel)) => match sequel.shows {
+                Sequel::SHOWS_NOTHING => Work::one(Kind::Followed),
+                Sequel::SHOWS_MORE => Work::one(Kind::WordLooped) + momentary(),
+                _ => Work::one(Kind::Followed) + Work::one(Kind::FollowedShown),
+            },
+            _ => momentary(),
+        };
+        let lasting = duties.map_or(Work::NONE, |it| rows.visit(rows.stored(it.stored))) + shown;
         match part {
             Part::Scan => orders + lasting,
             Part::Round => orders,
@@ -195,7 +229,10 @@ impl Acting<'_> {
             return Work::NONE;
         };
         let transition = self.rows.program.transitions.get(firing.row);
-        let itself = transition.map_or(Work::NONE, |it| self.rows.firing(it));
+        let itself = transition.map_or(Work::NONE, |it| match self.is_followed() {
+            true => self.rows.followed_firing(it),
+            false => self.rows.firing(it),
+        });
         let entered = firing.enters.iter().map(|step| self.enter(*step, part));
         itself + entered.sum()
     }

@@ -102,6 +102,16 @@ impl<'p> Rows<'p> {
         })
     }
 
+    /// What transitions ask for beside their first terms.
+    pub fn more_than_terms(self, run: Run) -> Work {
+        let arms = run.of(self.program.arms).iter();
+        let transitions = arms.map(|arm| self.program.transitions.get(usize::from(arm.transition)));
+        let fires = transitions
+            .flatten()
+            .map(|it| self.program.condition(it.fires));
+        fires.map(|it| self.condition(&it, false)).sum()
+    }
+
     /// What the firing of a transition takes itself.
     pub fn firing(self, transition: &Transition) -> Work {
         let links = match self.program.crossing(transition) {
@@ -114,6 +124,14 @@ impl<'p> Rows<'p> {
         };
         Work::one(self.fire())
             + Work::of(Kind::Link, links)
+            + self.stored(self.program.do_block(transition))
+    }
+
+    /// The same, where it is known what is armed.
+    pub fn followed_firing(self, transition: &Transition) -> Work {
+        let marks = usize::from(self.program.asks_what_fired());
+        Work::one(Kind::FollowedFire)
+            + Work::of(Kind::FollowedMark, marks)
             + self.stored(self.program.do_block(transition))
     }
 

@@ -159,6 +159,14 @@ kinds! {
     Sets 220 200 160
     /// A step is visited in a large program.
     VisitLooped 275 250 200
+    /// On a walk of a large program it is known what is armed in a word, and nothing more is done.
+    Followed 400 280 250
+    /// A transition fires there.
+    FollowedFire 900 450 400
+    /// It is noted that it does.
+    FollowedMark 300 450 400
+    /// There is something to be shown.
+    FollowedShown 250 180 150
 }
 
 /// How often what is done.
