@@ -41,14 +41,6 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
         marked
     }
 
-    /// What a row of the arms arms, if there is such a row.
-    #[inline(always)]
-    fn armed_by(&self, row: u16) -> Armed {
-        let tables = self.tables;
-        let arm = tables.program().arms.get(usize::from(row));
-        arm.map_or(Armed::UNKNOWN, |arm| Armed::by(row, arm.term))
-    }
-
     /// Whether a term holds.
     #[inline(always)]
     fn term_holds(&self, row: usize) -> bool {
@@ -57,29 +49,12 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
         term.is_some_and(|term| term.holds(self.memory.store.image()))
     }
 
-    /// Whether a condition holds. Kept apart, since it is long where few ask for it.
-    #[inline(never)]
-    fn holds_apart(&mut self, row: u16) -> bool {
-        self.holds_row(row)
-    }
-
     /// A word of the situations of now.
     #[inline(always)]
     pub(crate) fn situation_word(&self, place: usize) -> u32 {
         let tables = self.tables;
         let first = usize::from(tables.program().layout.situations.start);
         self.memory.word(first + place)
-    }
-
-    /// Finds out what is armed where one step is active, so that the next scan need not.
-    pub(crate) fn find_armed(&mut self) {
-        if !P::UNROLLED && !self.memory.store.armed().is_empty() {
-            let tables = self.tables;
-            tables.each_step(&mut Finding {
-                engine: self,
-                armed: Armed::UNKNOWN,
-            });
-        }
     }
 
     /// Takes back all marks.
@@ -230,39 +205,9 @@ impl<P: Compiled, M: Memory> VisitSteps for Exchanging<'_, P, M> {
     fn leave(&mut self, _: usize) {}
 }
 
-/// Finds out what is armed.
-struct Finding<'e, P, M> {
-    engine: &'e mut Engine<P, M>,
-    armed: Armed,
-}
-
-impl<P: Compiled, M: Memory> VisitSteps for Finding<'_, P, M> {
-    fn groups(&self, row: usize) -> u32 {
-        self.engine.memory.members(Set::Lively, row)
-    }
-
-    fn choose(&mut self, place: usize, _: &Block) -> u32 {
-        self.armed = Armed::UNKNOWN;
-        let now = self.engine.situation_word(place);
-        if now.is_power_of_two() { now } else { 0 }
-    }
-
-    fn step(&mut self, step: &Step) {
-        let tables = self.engine.tables;
-        let arms = step.arms().of(tables.program().arms);
-        if arms.iter().any(|arm| !arm.sequel.course.is_free()) {
-            self.armed = self.engine.armed_by(step.first_arm);
-        }
-    }
-
-    fn leave(&mut self, place: usize) {
-        self.engine.memory.put_armed(place, self.armed);
-    }
-}
-
 /// Looks at armed transitions.
-struct Marking<'e, P, M> {
-    engine: &'e mut Engine<P, M>,
+pub(crate) struct Marking<'e, P, M> {
+    pub(crate) engine: &'e mut Engine<P, M>,
     marked: Marked,
     /// The steps of the word that is being looked at.
     now: u32,
@@ -285,7 +230,7 @@ impl<P: Compiled, M: Memory> Marking<'_, P, M> {
     }
 
     #[inline(always)]
-    fn mark(&mut self, transition: usize, across: bool) {
+    pub(crate) fn mark(&mut self, transition: usize, across: bool) {
         self.marked.any = true;
         self.marked.across |= across;
         let tables = self.engine.tables;
@@ -303,38 +248,9 @@ impl<P: Compiled, M: Memory> Marking<'_, P, M> {
         }
     }
 
-    /// Goes on in a sequence, if the rest of its condition holds too.
-    #[inline(always)]
-    fn go_on(&mut self, place: usize, arm: &Arm) {
-        let tables = self.engine.tables;
-        let program = tables.program();
-        let row = usize::from(arm.transition);
-        if arm.sequel.course.asks_more() {
-            let transition = program.transitions.get(row);
-            if transition.is_none_or(|it| !self.engine.holds_apart(it.fires)) {
-                self.stay(place);
-                return;
-            }
-        }
-        self.mark(row, false);
-        let now = self.engine.situation_word(place);
-        self.put_next(place, now, arm.sequel.course.enters());
-        let next = self.engine.armed_by(arm.sequel.next);
-        self.engine.memory.put_armed(place, next);
-    }
-
-    /// Nothing fires in a word.
-    #[inline(always)]
-    fn stay(&mut self, place: usize) {
-        let now = self.engine.situation_word(place);
-        if let Some(word) = self.engine.memory.store.before_mut().get_mut(place) {
-            *word = now;
-        }
-    }
-
     /// Gives a word its next situation, or puts it beside the word when others still read it.
     #[inline(always)]
-    fn put_next(&mut self, place: usize, now: u32, next: u32) {
+    pub(crate) fn put_next(&mut self, place: usize, now: u32, next: u32) {
         let tables = self.engine.tables;
         let program = tables.program();
         let memory = &mut self.engine.memory;
@@ -377,24 +293,7 @@ impl<P: Compiled, M: Memory> VisitSteps for Marking<'_, P, M> {
 
     #[inline(always)]
     fn follow(&mut self, from: usize, end: usize) -> usize {
-        let mut place = from;
-        while place < end {
-            let armed = self.engine.memory.armed(place);
-            let tables = self.engine.tables;
-            let Some(term) = tables.program().terms.get(armed.term()) else {
-                break;
-            };
-            if term.holds(self.engine.memory.store.image()) {
-                let Some(arm) = tables.program().arms.get(armed.row()) else {
-                    break;
-                };
-                self.go_on(place, arm);
-            } else {
-                self.stay(place);
-            }
-            place += 1;
-        }
-        place
+        self.follow_sequences(from, end)
     }
 
     #[inline(always)]

@@ -12,6 +12,7 @@
 //! - `expression`: conditions and values (conjunctions as mask and state words, the rest as postfix code);
 //! - `watch`: edges and timers, which remember;
 //! - `evolution`: triggers and firing (phases 2 and 3);
+//! - `sequence`: the same where it is known beforehand what is armed, in large programs;
 //! - `hierarchy`: enclosing and forcing (phase 4);
 //! - `action`: events, stored and momentary statements (phases 5 to 7);
 //! - `view` and [`images`]: what all of it leaves, for whoever looks;
@@ -33,6 +34,7 @@ pub mod images;
 #[macro_use]
 pub mod memory;
 pub mod program;
+mod sequence;
 mod sets;
 pub mod soundness;
 #[cfg(feature = "alloc")]

@@ -7,6 +7,7 @@
 mod expression;
 mod place;
 mod rows;
+mod sequence;
 
 use crate::bits::set_bits_of;
 use crate::sets::rows;
@@ -20,10 +21,10 @@ pub use expression::{
 };
 pub use place::{Bit, Number, Run, Slot, Stamp};
 pub use rows::{
-    Arm, Armed, Assignment, Block, Course, Crossing, Dependent, Duties, Enclosing, Event, Forced,
-    Graph, Macro, Masks, Momentary, NumberRow, Order, Retained, Role, Sequel, Step, Stored, Target,
-    Transition,
+    Arm, Assignment, Block, Crossing, Dependent, Duties, Enclosing, Event, Forced, Graph, Macro,
+    Masks, Momentary, NumberRow, Order, Retained, Role, Step, Stored, Target, Transition,
 };
+pub use sequence::{Armed, Course, Sequel};
 
 /// How a program evolves within a scan.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]

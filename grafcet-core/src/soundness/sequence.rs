@@ -1,6 +1,6 @@
 //! Steps that stand in a sequence.
 
-use crate::program::{Arm, Course, Crossing, Graph, Program, Sequel, Step};
+use crate::program::{Arm, Armed, Course, Crossing, Graph, Program, Sequel, Step};
 
 impl Program<'_> {
     /// How it goes on behind a step of a graph, counted from the graph's first one, as the other tables have it. It is
@@ -24,8 +24,11 @@ impl Program<'_> {
         }
     }
 
-    /// Whether every arm says how it goes on behind its step.
+    /// Whether every arm says how it goes on behind its step, and what is not known is no row.
     pub(super) const fn sequences_are_sound(&self) -> bool {
+        if self.terms.len() > Armed::UNKNOWN.term() || self.arms.len() > Armed::UNKNOWN.row() {
+            return false;
+        }
         let mut i = 0;
         while i < self.graphs.len() {
             if !self.sequels_are_sound(&self.graphs[i]) {

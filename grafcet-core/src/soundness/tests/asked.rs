@@ -1,5 +1,7 @@
 //! What is kept for the next scan.
 
+use std::vec;
+
 use super::*;
 use crate::program::{Course, Duties, Program, Sequel};
 
@@ -60,4 +62,15 @@ fn arms_say_how_it_goes_on_behind_their_steps() {
         arms[2].sequel.course = Course::to(0, false) => Sequences;
         arms[3].sequel.shows = 1 => Sequences;
     }
+}
+
+#[test]
+fn what_is_not_known_is_no_row() {
+    let terms = vec![GOOD.terms[1]; 65_536];
+    let program = |rows: usize| Program {
+        terms: &terms[..rows],
+        ..GOOD
+    };
+    assert_eq!(program(65_535).unsoundness(), None);
+    assert_eq!(program(65_536).unsoundness(), Some(Unsound::Sequences));
 }
