@@ -8,6 +8,7 @@ mod board;
 mod claims;
 mod compare;
 mod generate;
+mod large;
 mod outcome;
 mod program;
 mod random;
