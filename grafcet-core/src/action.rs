@@ -256,6 +256,13 @@ impl<P: Compiled, M: Memory> Showing<'_, P, M> {
 }
 
 impl<P: Compiled, M: Memory> VisitSteps for Showing<'_, P, M> {
+    /// Steps whose actions have conditions are not followed.
+    #[inline(always)]
+    fn is_apart(&self) -> bool {
+        let tables = self.engine.tables;
+        !tables.program().momentary_varies
+    }
+
     #[inline(always)]
     fn groups(&self, row: usize) -> u32 {
         self.engine.memory.members(Set::Lively, row)

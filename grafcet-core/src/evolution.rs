@@ -287,6 +287,11 @@ impl<P: Compiled, M: Memory> Marking<'_, P, M> {
 
 impl<P: Compiled, M: Memory> VisitSteps for Marking<'_, P, M> {
     #[inline(always)]
+    fn is_apart(&self) -> bool {
+        true
+    }
+
+    #[inline(always)]
     fn groups(&self, row: usize) -> u32 {
         self.engine.memory.members(Set::Lively, row)
     }

@@ -13,6 +13,11 @@ pub(crate) trait Visit<T> {
 
 /// What is done with some steps.
 pub trait VisitSteps {
+    /// Whether words that are not followed are visited apart from the loop around, which then has the registers: where
+    /// most are followed. Only loops ask for it.
+    fn is_apart(&self) -> bool {
+        false
+    }
     /// The groups of words to be looked at, of 32 neighbouring ones. Only loops ask for them.
     fn groups(&self, row: usize) -> u32;
     /// Visits neighbouring words from one on, as long as it is known what is armed in them, and gives the first of which
@@ -78,7 +83,7 @@ pub(crate) fn loop_over_steps(blocks: &[Block], steps: &[Step], visit: &mut impl
                     break;
                 }
                 if let Some(block) = blocks.get(place) {
-                    look(place, block, steps, visit);
+                    visit_word(place, block, steps, visit);
                 }
                 place += 1;
             }
@@ -86,8 +91,24 @@ pub(crate) fn loop_over_steps(blocks: &[Block], steps: &[Step], visit: &mut impl
     }
 }
 
-/// Visits the steps of one word. Kept apart, so that the loop around it has the registers.
+/// Visits the steps of one word.
+#[inline(always)]
+fn visit_word(place: usize, block: &Block, steps: &[Step], visit: &mut impl VisitSteps) {
+    if visit.is_apart() {
+        look_apart(place, block, steps, visit);
+    } else {
+        look(place, block, steps, visit);
+    }
+}
+
+/// The same, kept apart.
 #[inline(never)]
+fn look_apart(place: usize, block: &Block, steps: &[Step], visit: &mut impl VisitSteps) {
+    look(place, block, steps, visit);
+}
+
+/// The same, at the place.
+#[inline(always)]
 fn look(place: usize, block: &Block, steps: &[Step], visit: &mut impl VisitSteps) {
     if visit.passes(place) {
         return;
