@@ -228,26 +228,16 @@ impl Program<'_> {
     #[must_use]
     #[inline(always)]
     pub fn do_block(&self, transition: &Transition) -> Run {
-        match transition.actions {
-            0 => Run::EMPTY,
-            row => {
-                let run = self.do_blocks.get(usize::from(row));
-                run.copied().unwrap_or(Run::EMPTY)
-            }
-        }
+        let run = self.do_blocks.get(usize::from(transition.actions));
+        run.copied().unwrap_or(Run::EMPTY)
     }
 
     /// A row of the conditions.
     #[must_use]
     #[inline(always)]
     pub fn condition(&self, row: u16) -> Condition {
-        match row {
-            0 => Condition::ALWAYS,
-            row => {
-                let condition = self.conditions.get(usize::from(row));
-                condition.copied().unwrap_or(Condition::ALWAYS)
-            }
-        }
+        let condition = self.conditions.get(usize::from(row));
+        condition.copied().unwrap_or(Condition::ALWAYS)
     }
 
     /// What a graph is among others.

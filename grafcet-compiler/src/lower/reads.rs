@@ -1,6 +1,6 @@
 //! Who reads what.
 
-use grafcet_core::program::{Bit, Condition, Op, Rest, Run, Transition};
+use grafcet_core::program::{Bit, Condition, Op, Rest};
 
 use crate::application::Tables;
 
@@ -30,32 +30,27 @@ pub(super) fn first_scan(tables: &Tables) -> bool {
 /// Whether the situation of a word can be exchanged as soon as its steps have been looked at, since no trigger that is
 /// evaluated later reads it.
 pub(super) fn crosses_at_once(tables: &Tables) -> bool {
+    let program = tables.program();
     let first = tables.layout.situations.start;
     tables.sources.is_empty()
         && tables.links.is_empty()
         && tables.graphs.iter().all(|graph| {
             let earlier = first..graph.first_word;
-            let arms =
-                rows(&tables.steps, graph.steps).flat_map(|step| rows(&tables.arms, step.arms()));
+            let steps = graph.steps.of(&tables.steps).iter();
+            let arms = steps.flat_map(|step| step.arms().of(&tables.arms));
             let terms = arms.filter_map(|arm| tables.terms.get(usize::from(arm.term)));
-            let transitions = rows(&tables.transitions, graph.transitions);
-            let triggers =
-                transitions.flat_map(|transition| words(tables, condition(tables, transition)));
-            !terms
-                .map(|term| term.word)
-                .chain(triggers)
-                .any(|word| earlier.contains(&word))
+            let transitions = graph.transitions.of(&tables.transitions).iter();
+            let fires = transitions.map(|transition| program.condition(transition.fires));
+            let triggers = fires.flat_map(|condition| words(tables, condition));
+            let mut words = terms.map(|term| term.word).chain(triggers);
+            !words.any(|word| earlier.contains(&word))
         })
-}
-
-/// When a transition fires, but for its first term.
-fn condition(tables: &Tables, transition: &Transition) -> Condition {
-    tables.program().condition(transition.fires)
 }
 
 /// The words that a condition reads.
 fn words(tables: &Tables, condition: Condition) -> impl Iterator<Item = u16> + use<'_> {
-    let terms = rows(&tables.terms, condition.terms).map(|term| term.word);
+    let terms = condition.terms.of(&tables.terms).iter();
+    let terms = terms.map(|term| term.word);
     let code = match condition.rest {
         Rest::Code(code) | Rest::Logic(code) => tables.codes.get(usize::from(code)),
         Rest::None | Rest::Elapsed(_) | Rest::Running(_) => None,
@@ -64,23 +59,19 @@ fn words(tables: &Tables, condition: Condition) -> impl Iterator<Item = u16> + u
         let start = code.start as usize;
         tables.ops.iter().skip(start).take(usize::from(code.len))
     });
-    let bits = ops.filter_map(|op| match op {
-        Op::Bit(bit) => Some(bit.0 / 32),
-        _ => None,
-    });
-    terms.chain(bits)
-}
-
-fn rows<T>(table: &[T], run: Run) -> impl Iterator<Item = &T> {
-    table.get(run.indices()).into_iter().flatten()
+    terms.chain(bits(ops).map(|bit| bit.0 / 32))
 }
 
 /// The words and bits that conditions and values read.
 fn conditions(tables: &Tables) -> impl Iterator<Item = (u16, u32)> {
     let terms = tables.terms.iter().map(|term| (term.word, term.mask));
-    let bits = tables.ops.iter().filter_map(|op| match op {
-        Op::Bit(Bit(bit)) => Some((bit / 32, 1 << (bit % 32))),
+    terms.chain(bits(tables.ops.iter()).map(|bit| (bit.0 / 32, bit.mask())))
+}
+
+/// The Booleans that code reads.
+fn bits<'t>(ops: impl Iterator<Item = &'t Op>) -> impl Iterator<Item = Bit> {
+    ops.filter_map(|op| match op {
+        Op::Bit(bit) => Some(*bit),
         _ => None,
-    });
-    terms.chain(bits)
+    })
 }
