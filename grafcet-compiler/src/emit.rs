@@ -187,6 +187,7 @@ fn storage(tables: &Tables) -> TokenStream {
         ("passed", usize::from(layout.passed)),
         ("stack", usize::from(layout.stack)),
         ("stamps", usize::from(layout.stamps)),
+        ("since", usize::from(layout.since)),
         ("standings", usize::from(layout.standings)),
         ("shown", usize::from(layout.shown)),
         ("sets", usize::from(layout.sets)),

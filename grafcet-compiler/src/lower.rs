@@ -19,6 +19,7 @@ mod pool;
 mod reads;
 mod structure;
 mod symbols;
+mod timing;
 mod unit;
 mod watch;
 

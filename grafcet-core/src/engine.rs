@@ -8,8 +8,8 @@ use crate::watch::Pass;
 /// Rounds of one scan after which a program that evolves `stable` counts as unstable.
 pub const MAX_ROUNDS: u32 = 100;
 
-/// Nothing is idle for longer, in ms.
-const LONG: u32 = 1 << 31;
+/// Nothing is idle for longer, in ms: 12 days.
+const LONG: u32 = 1 << 30;
 
 /// A program and its memory.
 ///
@@ -224,7 +224,7 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
     #[inline(always)]
     pub fn is_idle(&self, time_ms: u64) -> bool {
         if self.is_timed() {
-            // The low words will do, since this is known again after 24 days at most.
+            // The low words will do, since this is known again after 12 days at most.
             (time_ms as u32).wrapping_sub(self.now_ms as u32) < self.quiet_ms
         } else {
             self.quiet_ms != 0
@@ -252,8 +252,8 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
 
     /// Whether the program has timers.
     #[inline(always)]
-    fn is_timed(&self) -> bool {
-        !self.memory.store.stamps().is_empty()
+    pub(crate) fn is_timed(&self) -> bool {
+        !self.memory.store.stamps().is_empty() || !self.memory.store.since().is_empty()
     }
 
     /// A scan that is not idle, or as if it was not.
@@ -264,7 +264,7 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
         // What changes from here on, or waits for its time, puts an end to this.
         self.quiet_ms = LONG;
         if self.is_timed() {
-            self.now_ms = time_ms;
+            self.pass_time(time_ms);
         }
         if self.keeps_first_scan() {
             self.memory.clear_bit(Bit::FIRST_SCAN);

@@ -10,6 +10,7 @@
 //! - [`program`]: the tables;
 //! - [`memory`]: the images, numbers and time stamps;
 //! - `expression`: conditions and values (conjunctions as mask and state words, the rest as postfix code);
+//! - `timing`: timers that have run out;
 //! - `watch`: edges and timers, which remember;
 //! - `evolution`: triggers and firing (phases 2 and 3);
 //! - `hierarchy`: enclosing and forcing (phase 4);
@@ -35,6 +36,7 @@ pub mod memory;
 pub mod program;
 mod sets;
 pub mod soundness;
+mod timing;
 #[cfg(feature = "alloc")]
 pub mod vectors;
 mod view;

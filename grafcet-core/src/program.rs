@@ -18,7 +18,7 @@ pub use crate::walk::VisitSteps;
 pub use expression::{
     Code, Condition, Edge, Edges, Op, Preset, Rest, Seen, Term, Timer, Unit, Watch,
 };
-pub use place::{Bit, Number, Run, Slot, Stamp};
+pub use place::{Bit, Number, Run, Since, Slot, Stamp};
 pub use rows::{
     Arm, Assignment, Block, Crossing, Dependent, Duties, Enclosing, Event, Forced, Graph, Macro,
     Masks, Momentary, NumberRow, Order, Retained, Role, Step, Stored, Target, Transition,
@@ -55,6 +55,8 @@ pub struct Layout {
     pub numbers: u16,
     /// Time stamps.
     pub stamps: u16,
+    /// Steps of which is kept since when they are active.
+    pub since: u16,
     /// Depth of the stack that the deepest code needs.
     pub stack: u16,
     /// Words with one bit for each transition.
