@@ -234,7 +234,20 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
     /// Whether the situations are on the move, which they are at a time of their own only in a hierarchy.
     #[inline(always)]
     pub(crate) fn is_settling(&self) -> bool {
-        self.has_hierarchy() && self.settling == Flag::On
+        self.asks_while_settling() && self.settling == Flag::On
+    }
+
+    /// Whether somebody may ask then when a step was activated.
+    #[inline(always)]
+    fn asks_while_settling(&self) -> bool {
+        self.has_hierarchy() && !self.memory.store.stamps().is_empty()
+    }
+
+    #[inline(always)]
+    fn set_settling(&mut self, settling: Flag) {
+        if self.asks_while_settling() {
+            self.settling = settling;
+        }
     }
 
     /// Whether a graph forces or encloses another.
@@ -298,10 +311,8 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
     fn evolve(&mut self, pass: Pass) -> bool {
         let tables = self.tables;
         let program = tables.program();
-        if self.has_hierarchy() {
-            // It is. Here the compiler learns it, and that timers of triggers need no second look.
-            self.settling = Flag::Off;
-        }
+        // It is. Here the compiler learns it, and that timers of triggers need no second look.
+        self.set_settling(Flag::Off);
         self.watch_inputs(pass);
         self.watch(program.trigger_watches, pass);
         self.memory.remember_macros(&program.layout);
@@ -313,7 +324,7 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
             self.refresh_macros();
         }
         if self.has_hierarchy() {
-            self.settling = Flag::On;
+            self.set_settling(Flag::On);
             let bound = self.settle_hierarchy(pass);
             moved = (moved || bound) && (self.any_fired() || self.any_changed());
         }
@@ -321,9 +332,7 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
             self.note_change();
             self.stamp_activations();
         }
-        if self.has_hierarchy() {
-            self.settling = Flag::Off;
-        }
+        self.set_settling(Flag::Off);
         moved
     }
 
