@@ -1,7 +1,7 @@
 //! The graphs of that controller.
 
 use grafcet_core::program::{
-    Arm, Block, Crossing, Duties, Graph, Masks, Role, Run, Stamp, Step, Transition,
+    Arm, Block, Crossing, Duties, Graph, Masks, Role, Run, Since, Stamp, Step, Transition,
 };
 
 use super::run;
@@ -82,6 +82,7 @@ pub fn duties() -> Vec<Duties> {
         on_event: Run::EMPTY,
         orders: Run::EMPTY,
         activated: None,
+        since: None,
     };
     vec![
         nothing,
@@ -91,6 +92,7 @@ pub fn duties() -> Vec<Duties> {
             on_deactivation: run(0, 2),
             on_event: run(0, 1),
             activated: Some(Stamp(0)),
+            since: Some(Since(0)),
             ..nothing
         },
         Duties {

@@ -14,6 +14,7 @@ pub static PROGRAM: Program<'static> = Program {
         outside: Run { start: 9, len: 1 },
         numbers: 4,
         stamps: 4,
+        since: 1,
         stack: 2,
         fired: 1,
         passed: 0,
@@ -400,6 +401,7 @@ pub static PROGRAM: Program<'static> = Program {
             on_event: Run::EMPTY,
             orders: Run::EMPTY,
             activated: None,
+            since: None,
         },
         Duties {
             stored: Run { start: 0, len: 1 },
@@ -408,6 +410,7 @@ pub static PROGRAM: Program<'static> = Program {
             on_event: Run { start: 0, len: 1 },
             orders: Run::EMPTY,
             activated: Some(Stamp(0)),
+            since: Some(Since(0)),
         },
         Duties {
             stored: Run::EMPTY,
@@ -416,6 +419,7 @@ pub static PROGRAM: Program<'static> = Program {
             on_event: Run::EMPTY,
             orders: Run { start: 0, len: 1 },
             activated: None,
+            since: None,
         },
     ],
     macros: &[
@@ -667,15 +671,19 @@ pub static PROGRAM: Program<'static> = Program {
         Term { word: 0, mask: 0, state: 0 },
     ],
     timers: &[
-        Timer {
+        Timer::Any {
             step: Bit(64),
             activated: Stamp(0),
             preset: Preset::Constant(500),
         },
-        Timer {
+        Timer::Any {
             step: Bit(64),
             activated: Stamp(0),
             preset: Preset::Number(Number(3), Unit::Seconds),
+        },
+        Timer::Own {
+            since: Since(0),
+            preset: Preset::Constant(10),
         },
     ],
     codes: &[
@@ -785,16 +793,14 @@ impl Compiled for ThisProgram {
     fn each_step(&self, visit: &mut impl VisitSteps) {
         if let Some(block) = PROGRAM.blocks.first() {
             let steps = visit.choose(0, block);
-            if steps & 15 != 0 {
-                if steps & 1 != 0 && let Some(step) = PROGRAM.steps.first() {
-                    visit.step(step);
-                }
-                if steps & 2 != 0 && let Some(step) = PROGRAM.steps.get(1) {
-                    visit.step(step);
-                }
-                if steps & 4 != 0 && let Some(step) = PROGRAM.steps.get(2) {
-                    visit.step(step);
-                }
+            if steps & 1 != 0 && let Some(step) = PROGRAM.steps.first() {
+                visit.step(step);
+            }
+            if steps & 2 != 0 && let Some(step) = PROGRAM.steps.get(1) {
+                visit.step(step);
+            }
+            if steps & 4 != 0 && let Some(step) = PROGRAM.steps.get(2) {
+                visit.step(step);
             }
             visit.leave(0);
         }
@@ -940,7 +946,7 @@ pub static NAMES: Names<'static> = Names {
 };
 grafcet_core::storage!(
     Storage { image : 13, numbers : 4, before : 5, before_scan : 5, fired : 1, passed :
-    0, stack : 2, stamps : 4, standings : 3, shown : 0, sets : 0 }
+    0, stack : 2, stamps : 4, since : 1, standings : 3, shown : 0, sets : 0 }
 );
 const _: () = assert!(Storage::is_sized_for(& PROGRAM));
 /// The plants, with the wires between their images and the controller's.
@@ -961,6 +967,7 @@ pub static PLANTS: [PlantTables; 1] = [
                 outside: Run { start: 9, len: 1 },
                 numbers: 4,
                 stamps: 4,
+                since: 1,
                 stack: 2,
                 fired: 1,
                 passed: 1,
@@ -1347,6 +1354,7 @@ pub static PLANTS: [PlantTables; 1] = [
                     on_event: Run::EMPTY,
                     orders: Run::EMPTY,
                     activated: None,
+                    since: None,
                 },
                 Duties {
                     stored: Run { start: 0, len: 1 },
@@ -1355,6 +1363,7 @@ pub static PLANTS: [PlantTables; 1] = [
                     on_event: Run { start: 0, len: 1 },
                     orders: Run::EMPTY,
                     activated: Some(Stamp(0)),
+                    since: Some(Since(0)),
                 },
                 Duties {
                     stored: Run::EMPTY,
@@ -1363,6 +1372,7 @@ pub static PLANTS: [PlantTables; 1] = [
                     on_event: Run::EMPTY,
                     orders: Run { start: 0, len: 1 },
                     activated: None,
+                    since: None,
                 },
             ],
             macros: &[
@@ -1607,15 +1617,19 @@ pub static PLANTS: [PlantTables; 1] = [
                 Term { word: 0, mask: 0, state: 0 },
             ],
             timers: &[
-                Timer {
+                Timer::Any {
                     step: Bit(64),
                     activated: Stamp(0),
                     preset: Preset::Constant(500),
                 },
-                Timer {
+                Timer::Any {
                     step: Bit(64),
                     activated: Stamp(0),
                     preset: Preset::Number(Number(3), Unit::Seconds),
+                },
+                Timer::Own {
+                    since: Since(0),
+                    preset: Preset::Constant(10),
                 },
             ],
             codes: &[

@@ -79,6 +79,14 @@ pub enum Timer {
 impl Timer {
     /// The longest preset of a [`Timer::Own`], in ms: 12 days.
     pub const LONGEST_OWN_MS: u32 = 1 << 30;
+
+    /// The time that has to pass.
+    #[must_use]
+    pub const fn preset(self) -> Preset {
+        match self {
+            Timer::Own { preset, .. } | Timer::Any { preset, .. } => preset,
+        }
+    }
 }
 
 /// The preset of a step's timer.
