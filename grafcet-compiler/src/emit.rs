@@ -102,7 +102,7 @@ fn walks(tables: &Tables) -> Option<TokenStream> {
         let count = steps.len();
         // Mostly one step is active: with one look at the others of a few are passed over.
         let steps = steps.chunks(FEW).enumerate().map(|(place, steps)| {
-            let mask = Literal::u32_unsuffixed((1 << FEW) - 1 << (place * FEW));
+            let mask = Literal::u32_unsuffixed(((1 << FEW) - 1) << (place * FEW));
             match steps {
                 [step] => step.clone(),
                 // A graph of so few steps mostly has one of them active.

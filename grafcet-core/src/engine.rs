@@ -8,8 +8,8 @@ use crate::watch::Pass;
 /// Rounds of one scan after which a program that evolves `stable` counts as unstable.
 pub const MAX_ROUNDS: u32 = 100;
 
-/// Nothing is idle for longer, in ms: 12 days.
-const LONG: u32 = 1 << 30;
+/// Nothing is idle for longer, in ms: 6 days.
+pub(crate) const LONG: u32 = 1 << 29;
 
 /// A program and its memory.
 ///
@@ -224,7 +224,7 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
     #[inline(always)]
     pub fn is_idle(&self, time_ms: u64) -> bool {
         if self.is_timed() {
-            // The low words will do, since this is known again after 12 days at most.
+            // The low words will do, since this is known again after 6 days at most.
             (time_ms as u32).wrapping_sub(self.now_ms as u32) < self.quiet_ms
         } else {
             self.quiet_ms != 0

@@ -83,9 +83,8 @@ pub trait Memory {
     fn stamps(&self) -> &[u64];
     /// The same, to be written.
     fn stamps_mut(&mut self) -> &mut [u64];
-    /// Times of activation of steps whose timers are asked for only while they are active: the low words of ms, never
-    /// further back than [`Timer::LONGEST_OWN_MS`](crate::program::Timer::LONGEST_OWN_MS) and the time since it was
-    /// made so. [`Layout::since`] of them.
+    /// Times of activation of steps whose timers are asked for only while they are active: the low words of ms, at most
+    /// [`Timer::LONGEST_OWN_MS`](crate::program::Timer::LONGEST_OWN_MS) and some days ago. [`Layout::since`] of them.
     fn since(&self) -> &[u32];
     /// The same, to be written.
     fn since_mut(&mut self) -> &mut [u32];

@@ -1,6 +1,6 @@
 //! The time of the scan, and timers that have run out (`semantics.md`, "Timers").
 
-use crate::engine::Engine;
+use crate::engine::{Engine, LONG};
 use crate::memory::Memory;
 use crate::program::{Bit, Compiled, Preset, Since, Stamp, Timer, Unit};
 
@@ -9,19 +9,31 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
     #[inline(always)]
     pub(crate) fn pass_time(&mut self, time_ms: u64) {
         let before_ms = core::mem::replace(&mut self.now_ms, time_ms);
-        // Behind LONGEST_OWN_MS all are as good as just that old, and noted so before the low words go round: scans are
-        // less than 2^31 ms apart.
-        let quarter = |time_ms: u64| time_ms as u32 / Timer::LONGEST_OWN_MS;
-        if !self.memory.store.since().is_empty() && quarter(before_ms) != quarter(time_ms) {
-            self.age_activations();
+        if self.memory.store.since().is_empty() {
+            return;
+        }
+        // An image scans periodically, and is idle for LONG at most. A host may leap over any time.
+        let passed_ms = if P::UNROLLED {
+            (time_ms as u32).wrapping_sub(before_ms as u32)
+        } else {
+            u32::try_from(time_ms.saturating_sub(before_ms)).unwrap_or(u32::MAX)
+        };
+        let leaps = !P::UNROLLED && passed_ms > LONG;
+        let span = |time_ms: u64| time_ms as u32 / LONG;
+        if leaps || span(before_ms) != span(time_ms) {
+            self.age_activations(passed_ms);
         }
     }
 
+    /// What became active longer ago than any preset is as good as just that old, and noted so before the low words go
+    /// round.
     #[inline(never)]
-    fn age_activations(&mut self) {
+    fn age_activations(&mut self, passed_ms: u32) {
         let now_ms = self.now_ms as u32;
+        let before_ms = now_ms.wrapping_sub(passed_ms);
         for since in self.memory.store.since_mut() {
-            if now_ms.wrapping_sub(*since) > Timer::LONGEST_OWN_MS {
+            let age_ms = before_ms.wrapping_sub(*since).saturating_add(passed_ms);
+            if age_ms > Timer::LONGEST_OWN_MS {
                 *since = now_ms.wrapping_sub(Timer::LONGEST_OWN_MS);
             }
         }

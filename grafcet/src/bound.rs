@@ -191,7 +191,7 @@ enum Walks {
 impl Walks {
     /// The steps for which each of the walks has something to do; none when it passes every word all the same.
     fn masks(self, program: &Program<'_>, block: &Block) -> Vec<u32> {
-        let timed = program.layout.stamps > 0;
+        let timed = program.layout.stamps + program.layout.since > 0;
         let does = program.masks(block);
         let masks = match self {
             Walks::Round => [
@@ -244,7 +244,7 @@ fn walks(rows: Rows<'_>, graphs: &[Acting<'_>], walks: Walks) -> Work {
     let count = match walks {
         Walks::Scan => 1 + usize::from(program.lasting_in_steps),
         Walks::Round => {
-            2 + usize::from(program.layout.stamps > 0)
+            2 + usize::from(program.layout.stamps + program.layout.since > 0)
                 + usize::from(!program.events.is_empty())
                 + 2 * usize::from(program.stores_on_change)
         }

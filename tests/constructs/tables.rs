@@ -99,6 +99,10 @@ fn features(program: &Program<'_>) -> [(&'static str, bool); 22] {
         ),
         ("step timed", duties.iter().any(|it| it.activated.is_some())),
         (
+            "step timed for itself",
+            duties.iter().any(|it| it.since.is_some()),
+        ),
+        (
             "momentary of a step",
             steps.iter().any(|it| it.momentary_count > 0),
         ),

@@ -10,6 +10,7 @@ mod plants;
 mod sharing;
 mod structure;
 mod substitution;
+mod timing;
 mod watches;
 
 use grafcet_compiler::application::{Application, Tables};

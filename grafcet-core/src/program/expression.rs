@@ -77,8 +77,8 @@ pub enum Timer {
 }
 
 impl Timer {
-    /// The longest preset of a [`Timer::Own`], in ms: 12 days.
-    pub const LONGEST_OWN_MS: u32 = 1 << 30;
+    /// No preset of a [`Timer::Own`] is longer, in ms: 24 days, more than any number of ms is.
+    pub const LONGEST_OWN_MS: u32 = 1 << 31;
 
     /// The time that has to pass.
     #[must_use]

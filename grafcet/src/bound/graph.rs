@@ -146,7 +146,9 @@ impl Acting<'_> {
             .and_then(|step| self.rows.duties(step))
             .filter(|_| part != Part::End)
             .map_or(Work::NONE, |duties| {
-                let stamp = Work::of(Kind::Stamp, usize::from(duties.activated.is_some()));
+                let stamps =
+                    usize::from(duties.activated.is_some()) + usize::from(duties.since.is_some());
+                let stamp = Work::of(Kind::Stamp, stamps);
                 self.rows.visit(stamp) + self.rows.visit(self.rows.stored(duties.on_activation))
             });
         entered + self.stay(place, part)
