@@ -4,25 +4,22 @@
 //! cost was counted on images of many programs (`docs/src/speed.md`, "Worst case known"); the sum leaves out what never
 //! happens together only as far as structure and contradicting triggers show it.
 
-pub mod activity;
 mod graph;
 mod report;
 mod rounds;
 mod rows;
 #[cfg(test)]
 mod tests;
-pub mod together;
-pub mod trigger;
 pub mod work;
 
 use std::collections::BTreeSet;
 
+use grafcet_compiler::activity::Activity;
 use grafcet_compiler::application::{Unit, VariableSymbol};
 use grafcet_compiler::emit::FEW;
 use grafcet_compiler::model::DeclarationKind;
 use grafcet_core::program::{Block, Evolution, GROUP, Program, Slot, Step};
 
-use activity::Activity;
 use graph::{Acting, Part};
 pub use report::{Clocks, json, text};
 pub use rounds::Rounds;

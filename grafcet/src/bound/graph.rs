@@ -2,9 +2,9 @@
 
 use grafcet_core::program::{Graph, Step};
 
-use super::activity::Activity;
 use super::rows::Rows;
 use super::work::{Cpu, Kind, Work};
+use grafcet_compiler::activity::Activity;
 
 /// What is asked for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
