@@ -275,7 +275,7 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
         let tables = self.tables;
         let program = tables.program();
         // What changes from here on, or waits for its time, puts an end to this.
-        self.quiet_ms = LONG;
+        self.quiet_ms = if self.is_timed() { LONG } else { 1 };
         if self.is_timed() {
             self.pass_time(time_ms);
         }
@@ -313,10 +313,10 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
         let program = tables.program();
         // It is. Here the compiler learns it, and that timers of triggers need no second look.
         self.set_settling(Flag::Off);
+        self.clear_marks();
         self.watch_inputs(pass);
         self.watch(program.trigger_watches, pass);
         self.memory.remember_macros(&program.layout);
-        self.clear_marks();
         let marked = self.mark_fired();
         let mut moved = marked.any;
         if moved {
