@@ -21,7 +21,7 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
                 across: false,
             },
             now: 0,
-            leaves: 0,
+            next: 0,
             enters: 0,
             lively: 0,
         };
@@ -191,7 +191,7 @@ struct Marking<'e, P, M> {
     /// The steps of the word that is being looked at.
     now: u32,
     /// What the marked transitions do to it.
-    leaves: u32,
+    next: u32,
     enters: u32,
     /// All steps of a group of words, one word upon the other.
     lively: u32,
@@ -248,7 +248,7 @@ impl<P: Compiled, M: Memory> VisitSteps for Marking<'_, P, M> {
     #[inline(always)]
     fn choose(&mut self, place: usize, _: &Block) -> u32 {
         self.now = self.engine.situation_word(place);
-        self.leaves = 0;
+        self.next = self.now;
         self.enters = 0;
         self.now
     }
@@ -260,7 +260,7 @@ impl<P: Compiled, M: Memory> VisitSteps for Marking<'_, P, M> {
 
     #[inline(always)]
     fn leave(&mut self, place: usize) {
-        let next = self.now & !self.leaves | self.enters;
+        let next = self.next;
         let tables = self.engine.tables;
         let program = tables.program();
         let memory = &mut self.engine.memory;
@@ -303,7 +303,7 @@ impl<P: Compiled, M: Memory> Visit<Arm> for Marking<'_, P, M> {
             self.mark(row);
             match program.crossing(transition) {
                 Crossing::Within { leaves, enters } => {
-                    self.leaves |= leaves;
+                    self.next = self.next & !(leaves & !self.enters) | enters;
                     self.enters |= enters;
                 }
                 Crossing::Across { .. } => self.marked.across = true,
