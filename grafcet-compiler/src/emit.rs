@@ -13,8 +13,8 @@ use quote::{format_ident, quote};
 
 pub use self::demonstration::demonstration;
 use self::rows::Row;
-pub use self::walks::FEW;
 use self::walks::walks;
+pub use self::walks::{FEW, Walk, Word};
 use crate::application::{Application, Plant, Symbols, Tables, Wire};
 
 /// Programs with at most so much to unroll are walked over row by row: what the compiler of the image does in seconds.

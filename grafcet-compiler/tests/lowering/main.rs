@@ -11,6 +11,7 @@ mod sharing;
 mod structure;
 mod substitution;
 mod timing;
+mod walk;
 mod watches;
 
 use grafcet_compiler::application::{Application, Tables};

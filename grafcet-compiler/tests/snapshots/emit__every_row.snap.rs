@@ -793,230 +793,206 @@ impl Compiled for ThisProgram {
     fn each_step(&self, visit: &mut impl VisitSteps) {
         if let Some(block) = PROGRAM.blocks.first() {
             let steps = visit.choose(0, block);
-            if steps & 1 != 0 {
-                if let Some(step) = PROGRAM.steps.first() {
-                    visit.step(step);
-                }
+            if steps & 1 != 0 && let Some(step) = PROGRAM.steps.first() {
+                visit.step(step);
             } else {
-                if steps & 2 != 0 {
-                    if let Some(step) = PROGRAM.steps.get(1) {
-                        visit.step(step);
-                    }
+                if steps & 2 != 0 && let Some(step) = PROGRAM.steps.get(1) {
+                    visit.step(step);
                 }
             }
-            if steps & 4 != 0 {
-                if let Some(step) = PROGRAM.steps.get(2) {
-                    visit.step(step);
-                }
+            if steps & 4 != 0 && let Some(step) = PROGRAM.steps.get(2) {
+                visit.step(step);
             }
             visit.leave(0);
         }
         if let Some(block) = PROGRAM.blocks.get(1) {
             let steps = visit.choose(1, block);
-            if steps & 1 != 0 {
-                if let Some(step) = PROGRAM.steps.get(3) {
-                    visit.step(step);
-                }
+            if steps & 1 != 0 && let Some(step) = PROGRAM.steps.get(3) {
+                visit.step(step);
             }
             visit.leave(1);
         }
         if let Some(block) = PROGRAM.blocks.get(2) {
             let steps = visit.choose(2, block);
             if steps & 15 != 0 {
-                if steps & 1 != 0 {
-                    if let Some(step) = PROGRAM.steps.get(4) {
-                        visit.step(step);
-                    }
+                if steps & 1 != 0 && let Some(step) = PROGRAM.steps.get(4) {
+                    visit.step(step);
                 } else {
-                    if steps & 2 != 0 {
-                        if let Some(step) = PROGRAM.steps.get(5) {
-                            visit.step(step);
-                        }
+                    if steps & 2 != 0 && let Some(step) = PROGRAM.steps.get(5) {
+                        visit.step(step);
                     } else {
-                        if steps & 4 != 0 {
-                            if let Some(step) = PROGRAM.steps.get(6) {
-                                visit.step(step);
-                            }
+                        if steps & 4 != 0 && let Some(step) = PROGRAM.steps.get(6) {
+                            visit.step(step);
                         } else {
-                            if steps & 8 != 0 {
-                                if let Some(step) = PROGRAM.steps.get(7) {
-                                    visit.step(step);
-                                }
+                            if steps & 8 != 0 && let Some(step) = PROGRAM.steps.get(7) {
+                                visit.step(step);
                             }
                         }
                     }
                 }
             } else {
                 if steps & 240 != 0 {
-                    if steps & 16 != 0 {
-                        if let Some(step) = PROGRAM.steps.get(8) {
-                            visit.step(step);
-                        }
+                    if steps & 16 != 0 && let Some(step) = PROGRAM.steps.get(8) {
+                        visit.step(step);
                     } else {
-                        if steps & 32 != 0 {
-                            if let Some(step) = PROGRAM.steps.get(9) {
-                                visit.step(step);
-                            }
+                        if steps & 32 != 0 && let Some(step) = PROGRAM.steps.get(9) {
+                            visit.step(step);
                         } else {
-                            if steps & 64 != 0 {
-                                if let Some(step) = PROGRAM.steps.get(10) {
-                                    visit.step(step);
-                                }
+                            if steps & 64 != 0 && let Some(step) = PROGRAM.steps.get(10)
+                            {
+                                visit.step(step);
                             } else {
-                                if steps & 128 != 0 {
-                                    if let Some(step) = PROGRAM.steps.get(11) {
-                                        visit.step(step);
-                                    }
+                                if steps & 128 != 0
+                                    && let Some(step) = PROGRAM.steps.get(11)
+                                {
+                                    visit.step(step);
                                 }
                             }
                         }
                     }
                 } else {
                     if steps & 3840 != 0 {
-                        if steps & 256 != 0 {
-                            if let Some(step) = PROGRAM.steps.get(12) {
-                                visit.step(step);
-                            }
+                        if steps & 256 != 0 && let Some(step) = PROGRAM.steps.get(12) {
+                            visit.step(step);
                         } else {
-                            if steps & 512 != 0 {
-                                if let Some(step) = PROGRAM.steps.get(13) {
-                                    visit.step(step);
-                                }
+                            if steps & 512 != 0 && let Some(step) = PROGRAM.steps.get(13)
+                            {
+                                visit.step(step);
                             } else {
-                                if steps & 1024 != 0 {
-                                    if let Some(step) = PROGRAM.steps.get(14) {
-                                        visit.step(step);
-                                    }
+                                if steps & 1024 != 0
+                                    && let Some(step) = PROGRAM.steps.get(14)
+                                {
+                                    visit.step(step);
                                 } else {
-                                    if steps & 2048 != 0 {
-                                        if let Some(step) = PROGRAM.steps.get(15) {
-                                            visit.step(step);
-                                        }
+                                    if steps & 2048 != 0
+                                        && let Some(step) = PROGRAM.steps.get(15)
+                                    {
+                                        visit.step(step);
                                     }
                                 }
                             }
                         }
                     } else {
                         if steps & 61440 != 0 {
-                            if steps & 4096 != 0 {
-                                if let Some(step) = PROGRAM.steps.get(16) {
-                                    visit.step(step);
-                                }
+                            if steps & 4096 != 0
+                                && let Some(step) = PROGRAM.steps.get(16)
+                            {
+                                visit.step(step);
                             } else {
-                                if steps & 8192 != 0 {
-                                    if let Some(step) = PROGRAM.steps.get(17) {
-                                        visit.step(step);
-                                    }
+                                if steps & 8192 != 0
+                                    && let Some(step) = PROGRAM.steps.get(17)
+                                {
+                                    visit.step(step);
                                 } else {
-                                    if steps & 16384 != 0 {
-                                        if let Some(step) = PROGRAM.steps.get(18) {
-                                            visit.step(step);
-                                        }
+                                    if steps & 16384 != 0
+                                        && let Some(step) = PROGRAM.steps.get(18)
+                                    {
+                                        visit.step(step);
                                     } else {
-                                        if steps & 32768 != 0 {
-                                            if let Some(step) = PROGRAM.steps.get(19) {
-                                                visit.step(step);
-                                            }
+                                        if steps & 32768 != 0
+                                            && let Some(step) = PROGRAM.steps.get(19)
+                                        {
+                                            visit.step(step);
                                         }
                                     }
                                 }
                             }
                         } else {
                             if steps & 983040 != 0 {
-                                if steps & 65536 != 0 {
-                                    if let Some(step) = PROGRAM.steps.get(20) {
-                                        visit.step(step);
-                                    }
+                                if steps & 65536 != 0
+                                    && let Some(step) = PROGRAM.steps.get(20)
+                                {
+                                    visit.step(step);
                                 } else {
-                                    if steps & 131072 != 0 {
-                                        if let Some(step) = PROGRAM.steps.get(21) {
-                                            visit.step(step);
-                                        }
+                                    if steps & 131072 != 0
+                                        && let Some(step) = PROGRAM.steps.get(21)
+                                    {
+                                        visit.step(step);
                                     } else {
-                                        if steps & 262144 != 0 {
-                                            if let Some(step) = PROGRAM.steps.get(22) {
-                                                visit.step(step);
-                                            }
+                                        if steps & 262144 != 0
+                                            && let Some(step) = PROGRAM.steps.get(22)
+                                        {
+                                            visit.step(step);
                                         } else {
-                                            if steps & 524288 != 0 {
-                                                if let Some(step) = PROGRAM.steps.get(23) {
-                                                    visit.step(step);
-                                                }
+                                            if steps & 524288 != 0
+                                                && let Some(step) = PROGRAM.steps.get(23)
+                                            {
+                                                visit.step(step);
                                             }
                                         }
                                     }
                                 }
                             } else {
                                 if steps & 15728640 != 0 {
-                                    if steps & 1048576 != 0 {
-                                        if let Some(step) = PROGRAM.steps.get(24) {
-                                            visit.step(step);
-                                        }
+                                    if steps & 1048576 != 0
+                                        && let Some(step) = PROGRAM.steps.get(24)
+                                    {
+                                        visit.step(step);
                                     } else {
-                                        if steps & 2097152 != 0 {
-                                            if let Some(step) = PROGRAM.steps.get(25) {
-                                                visit.step(step);
-                                            }
+                                        if steps & 2097152 != 0
+                                            && let Some(step) = PROGRAM.steps.get(25)
+                                        {
+                                            visit.step(step);
                                         } else {
-                                            if steps & 4194304 != 0 {
-                                                if let Some(step) = PROGRAM.steps.get(26) {
-                                                    visit.step(step);
-                                                }
+                                            if steps & 4194304 != 0
+                                                && let Some(step) = PROGRAM.steps.get(26)
+                                            {
+                                                visit.step(step);
                                             } else {
-                                                if steps & 8388608 != 0 {
-                                                    if let Some(step) = PROGRAM.steps.get(27) {
-                                                        visit.step(step);
-                                                    }
+                                                if steps & 8388608 != 0
+                                                    && let Some(step) = PROGRAM.steps.get(27)
+                                                {
+                                                    visit.step(step);
                                                 }
                                             }
                                         }
                                     }
                                 } else {
                                     if steps & 251658240 != 0 {
-                                        if steps & 16777216 != 0 {
-                                            if let Some(step) = PROGRAM.steps.get(28) {
-                                                visit.step(step);
-                                            }
+                                        if steps & 16777216 != 0
+                                            && let Some(step) = PROGRAM.steps.get(28)
+                                        {
+                                            visit.step(step);
                                         } else {
-                                            if steps & 33554432 != 0 {
-                                                if let Some(step) = PROGRAM.steps.get(29) {
-                                                    visit.step(step);
-                                                }
+                                            if steps & 33554432 != 0
+                                                && let Some(step) = PROGRAM.steps.get(29)
+                                            {
+                                                visit.step(step);
                                             } else {
-                                                if steps & 67108864 != 0 {
-                                                    if let Some(step) = PROGRAM.steps.get(30) {
-                                                        visit.step(step);
-                                                    }
+                                                if steps & 67108864 != 0
+                                                    && let Some(step) = PROGRAM.steps.get(30)
+                                                {
+                                                    visit.step(step);
                                                 } else {
-                                                    if steps & 134217728 != 0 {
-                                                        if let Some(step) = PROGRAM.steps.get(31) {
-                                                            visit.step(step);
-                                                        }
+                                                    if steps & 134217728 != 0
+                                                        && let Some(step) = PROGRAM.steps.get(31)
+                                                    {
+                                                        visit.step(step);
                                                     }
                                                 }
                                             }
                                         }
                                     } else {
                                         if steps & 4026531840 != 0 {
-                                            if steps & 268435456 != 0 {
-                                                if let Some(step) = PROGRAM.steps.get(32) {
-                                                    visit.step(step);
-                                                }
+                                            if steps & 268435456 != 0
+                                                && let Some(step) = PROGRAM.steps.get(32)
+                                            {
+                                                visit.step(step);
                                             } else {
-                                                if steps & 536870912 != 0 {
-                                                    if let Some(step) = PROGRAM.steps.get(33) {
-                                                        visit.step(step);
-                                                    }
+                                                if steps & 536870912 != 0
+                                                    && let Some(step) = PROGRAM.steps.get(33)
+                                                {
+                                                    visit.step(step);
                                                 } else {
-                                                    if steps & 1073741824 != 0 {
-                                                        if let Some(step) = PROGRAM.steps.get(34) {
-                                                            visit.step(step);
-                                                        }
+                                                    if steps & 1073741824 != 0
+                                                        && let Some(step) = PROGRAM.steps.get(34)
+                                                    {
+                                                        visit.step(step);
                                                     } else {
-                                                        if steps & 2147483648 != 0 {
-                                                            if let Some(step) = PROGRAM.steps.get(35) {
-                                                                visit.step(step);
-                                                            }
+                                                        if steps & 2147483648 != 0
+                                                            && let Some(step) = PROGRAM.steps.get(35)
+                                                        {
+                                                            visit.step(step);
                                                         }
                                                     }
                                                 }
@@ -1033,10 +1009,8 @@ impl Compiled for ThisProgram {
         }
         if let Some(block) = PROGRAM.blocks.get(3) {
             let steps = visit.choose(3, block);
-            if steps & 1 != 0 {
-                if let Some(step) = PROGRAM.steps.get(36) {
-                    visit.step(step);
-                }
+            if steps & 1 != 0 && let Some(step) = PROGRAM.steps.get(36) {
+                visit.step(step);
             }
             visit.leave(3);
         }
