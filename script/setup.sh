@@ -101,11 +101,13 @@ build_image() {
 }
 
 # build_bench_image PROGRAM CPU OUT [CARGO-ARGUMENT...]: the program and the engine, bare, for counting instructions.
-# The path of PROGRAM is absolute.
+# The path of PROGRAM is absolute. As CPU also `m0plus_flashed`: optimised as the image is that is flashed, which is all
+# in which the profiles differ.
 build_bench_image() {
-    local program=$1 cpu=$2 out=$3 target=$TARGET log
+    local program=$1 cpu=$2 out=$3 target=$TARGET optimised=() log
     # Floating point in registers would be of no use: there is none in the engine.
     case $cpu in
+        m0plus_flashed) optimised=(--config 'profile.bench-image.opt-level=2') ;;
         m4) target=thumbv7em-none-eabi ;;
         x86) target=x86_64-unknown-none ;;
     esac
@@ -114,7 +116,7 @@ build_bench_image() {
     # Nobody moves an image to where it is run, as is usual on x86.
     if ! BENCH_PROGRAM=$program cargo build --locked --quiet --profile bench-image --target "$target" \
         --config 'target.x86_64-unknown-none.rustflags=["-Crelocation-model=static"]' \
-        --package bench-image "${@:4}" 2>"$log"; then
+        "${optimised[@]}" --package bench-image "${@:4}" 2>"$log"; then
         # Of a wrong program only what the compiler says of it, which cargo indents.
         if grep -q '^ *--- stderr' "$log"; then
             sed '1,/^ *--- stderr/d; s/^  //' "$log" >&2

@@ -5,6 +5,7 @@
 
 mod demonstration;
 mod rows;
+mod walks;
 
 use grafcet_core::program::Program;
 use proc_macro2::{Literal, TokenStream};
@@ -12,14 +13,14 @@ use quote::{format_ident, quote};
 
 pub use self::demonstration::demonstration;
 use self::rows::Row;
+use self::walks::walks;
+pub use self::walks::{FEW, Walk, Word};
 use crate::application::{Application, Plant, Symbols, Tables, Wire};
 
 /// Programs with at most so much to unroll are walked over row by row: what the compiler of the image does in seconds.
 const UNROLLED: usize = 900;
 /// What counts as so much: a row that is more than a transition with one term.
 const ROW: usize = 8;
-/// Steps that are passed over together.
-pub const FEW: usize = 4;
 
 /// `PROGRAM`, `NAMES` and `Storage` of the controller, with their assertions.
 #[must_use]
@@ -28,7 +29,7 @@ pub fn program(application: &Application) -> TokenStream {
     let program = tables.literal();
     let names = names_literal(&application.name, tables, &application.controller.symbols);
     let storage = storage(tables);
-    let walks = walks(tables);
+    let walks = is_unrolled(&tables.program()).then(|| walks(&tables.program()));
     quote! {
         use grafcet_core::program::*;
 
@@ -78,68 +79,6 @@ pub fn is_unrolled(program: &Program<'_>) -> bool {
     arms.sum::<usize>() + (momentary + duties) * ROW <= UNROLLED
 }
 
-/// The walk over the steps of a small program, step by step.
-fn walks(tables: &Tables) -> Option<TokenStream> {
-    if !is_unrolled(&tables.program()) {
-        return None;
-    }
-    let ends = tables.blocks.iter().skip(1).map(|block| block.first);
-    let ends = ends.chain([tables.steps.len() as u16]);
-    let blocks = tables.blocks.iter().zip(ends).enumerate();
-    let blocks = blocks.map(|(place, (block, end))| {
-        let steps: Vec<TokenStream> = (block.first..end)
-            .enumerate()
-            .map(|(bit, step)| {
-                let mask = Literal::u32_unsuffixed(1 << bit);
-                let row = row(usize::from(step));
-                quote! {
-                    if steps & #mask != 0 && let Some(step) = PROGRAM.steps.#row {
-                        visit.step(step);
-                    }
-                }
-            })
-            .collect();
-        // Mostly one step is active: with one look at the others of a few are passed over.
-        let steps = steps.chunks(FEW).enumerate().map(|(place, steps)| {
-            let mask = Literal::u32_unsuffixed(0xf << (place * FEW));
-            match steps {
-                [step] => step.clone(),
-                steps => quote! {
-                    if steps & #mask != 0 {
-                        #(#steps)*
-                    }
-                },
-            }
-        });
-        let row = row(place);
-        let place = Literal::usize_unsuffixed(place);
-        quote! {
-            if let Some(block) = PROGRAM.blocks.#row {
-                let steps = visit.choose(#place, block);
-                #(#steps)*
-                visit.leave(#place);
-            }
-        }
-    });
-    Some(quote! {
-        const UNROLLED: bool = true;
-
-        #[inline(always)]
-        fn each_step(&self, visit: &mut impl VisitSteps) {
-            #(#blocks)*
-        }
-    })
-}
-
-/// The call that gets a row.
-fn row(place: usize) -> TokenStream {
-    if place == 0 {
-        return quote!(first());
-    }
-    let place = Literal::usize_unsuffixed(place);
-    quote!(get(#place))
-}
-
 /// `PLANTS`: what stands in for the machine when the image runs on a host. `PlantTables` is a type of the image.
 #[must_use]
 pub fn plants(application: &Application) -> TokenStream {
@@ -187,6 +126,7 @@ fn storage(tables: &Tables) -> TokenStream {
         ("passed", usize::from(layout.passed)),
         ("stack", usize::from(layout.stack)),
         ("stamps", usize::from(layout.stamps)),
+        ("since", usize::from(layout.since)),
         ("standings", usize::from(layout.standings)),
         ("shown", usize::from(layout.shown)),
         ("sets", usize::from(layout.sets)),

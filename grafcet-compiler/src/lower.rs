@@ -20,6 +20,7 @@ mod reads;
 mod sequence;
 mod structure;
 mod symbols;
+mod timing;
 mod unit;
 mod watch;
 

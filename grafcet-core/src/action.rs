@@ -15,7 +15,7 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
     pub(crate) fn stamp_activations(&mut self) {
         let tables = self.tables;
         let program = tables.program();
-        if self.memory.store.stamps().is_empty() {
+        if !self.is_timed() {
             return;
         }
         self.for_each_duty(Part::Activated);
@@ -201,6 +201,9 @@ impl<P: Compiled, M: Memory> VisitSteps for Acting<'_, P, M> {
             Part::Activated => {
                 if let Some(stamp) = duties.activated {
                     self.engine.memory.set_stamp(stamp, self.engine.now_ms);
+                }
+                if let Some(since) = duties.since {
+                    self.engine.memory.set_since(since, self.engine.now_ms);
                 }
             }
             Part::Stored => match duties.stored.of(program.stored) {

@@ -8,8 +8,8 @@ use crate::watch::Pass;
 /// Rounds of one scan after which a program that evolves `stable` counts as unstable.
 pub const MAX_ROUNDS: u32 = 100;
 
-/// Nothing is idle for longer, in ms.
-const LONG: u32 = 1 << 31;
+/// Nothing is idle for longer, in ms: 6 days.
+pub(crate) const LONG: u32 = 1 << 29;
 
 /// A program and its memory.
 ///
@@ -225,7 +225,7 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
     #[inline(always)]
     pub fn is_idle(&self, time_ms: u64) -> bool {
         if self.is_timed() {
-            // The low words will do, since this is known again after 24 days at most.
+            // The low words will do, since this is known again after 6 days at most.
             (time_ms as u32).wrapping_sub(self.now_ms as u32) < self.quiet_ms
         } else {
             self.quiet_ms != 0
@@ -235,7 +235,20 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
     /// Whether the situations are on the move, which they are at a time of their own only in a hierarchy.
     #[inline(always)]
     pub(crate) fn is_settling(&self) -> bool {
-        self.has_hierarchy() && self.settling == Flag::On
+        self.asks_while_settling() && self.settling == Flag::On
+    }
+
+    /// Whether somebody may ask then when a step was activated.
+    #[inline(always)]
+    fn asks_while_settling(&self) -> bool {
+        self.has_hierarchy() && !self.memory.store.stamps().is_empty()
+    }
+
+    #[inline(always)]
+    fn set_settling(&mut self, settling: Flag) {
+        if self.asks_while_settling() {
+            self.settling = settling;
+        }
     }
 
     /// Whether a graph forces or encloses another.
@@ -253,8 +266,8 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
 
     /// Whether the program has timers.
     #[inline(always)]
-    fn is_timed(&self) -> bool {
-        !self.memory.store.stamps().is_empty()
+    pub(crate) fn is_timed(&self) -> bool {
+        !self.memory.store.stamps().is_empty() || !self.memory.store.since().is_empty()
     }
 
     /// A scan that is not idle, or as if it was not.
@@ -263,9 +276,9 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
         let tables = self.tables;
         let program = tables.program();
         // What changes from here on, or waits for its time, puts an end to this.
-        self.quiet_ms = LONG;
+        self.quiet_ms = if self.is_timed() { LONG } else { 1 };
         if self.is_timed() {
-            self.now_ms = time_ms;
+            self.pass_time(time_ms);
         }
         if self.keeps_first_scan() {
             self.memory.clear_bit(Bit::FIRST_SCAN);
@@ -299,14 +312,12 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
     fn evolve(&mut self, pass: Pass) -> bool {
         let tables = self.tables;
         let program = tables.program();
-        if self.has_hierarchy() {
-            // It is. Here the compiler learns it, and that timers of triggers need no second look.
-            self.settling = Flag::Off;
-        }
+        // It is. Here the compiler learns it, and that timers of triggers need no second look.
+        self.set_settling(Flag::Off);
+        self.clear_marks();
         self.watch_inputs(pass);
         self.watch(program.trigger_watches, pass);
         self.memory.remember_macros(&program.layout);
-        self.clear_marks();
         let marked = self.mark_fired();
         let mut moved = marked.any;
         if moved {
@@ -314,7 +325,7 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
             self.refresh_macros();
         }
         if self.has_hierarchy() {
-            self.settling = Flag::On;
+            self.set_settling(Flag::On);
             let bound = self.settle_hierarchy(pass);
             moved = (moved || bound) && (self.any_fired() || self.any_changed());
         }
@@ -322,9 +333,7 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
             self.note_change();
             self.stamp_activations();
         }
-        if self.has_hierarchy() {
-            self.settling = Flag::Off;
-        }
+        self.set_settling(Flag::Off);
         moved
     }
 

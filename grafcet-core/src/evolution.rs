@@ -21,7 +21,7 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
                 across: false,
             },
             now: 0,
-            leaves: 0,
+            next: 0,
             enters: 0,
             first_arm: 0,
             armed: Armed::UNKNOWN,
@@ -212,7 +212,7 @@ pub(crate) struct Marking<'e, P, M> {
     /// The steps of the word that is being looked at.
     now: u32,
     /// What the marked transitions do to it.
-    leaves: u32,
+    next: u32,
     enters: u32,
     /// The first arm of the step that is being looked at.
     first_arm: u16,
@@ -314,7 +314,7 @@ impl<P: Compiled, M: Memory> VisitSteps for Marking<'_, P, M> {
     #[inline(always)]
     fn choose(&mut self, place: usize, _: &Block) -> u32 {
         self.now = self.engine.situation_word(place);
-        self.leaves = 0;
+        self.next = self.now;
         self.enters = 0;
         self.armed = Armed::UNKNOWN;
         self.now
@@ -328,7 +328,7 @@ impl<P: Compiled, M: Memory> VisitSteps for Marking<'_, P, M> {
 
     #[inline(always)]
     fn leave(&mut self, place: usize) {
-        let next = self.now & !self.leaves | self.enters;
+        let next = self.next;
         self.put_next(place, self.now, next);
         if !P::UNROLLED {
             let is_one = self.now & self.now.wrapping_sub(1) == 0;
@@ -364,7 +364,7 @@ impl<P: Compiled, M: Memory> Visit<Arm> for Marking<'_, P, M> {
             let crossing = program.crossing(transition);
             self.mark(row, matches!(crossing, Crossing::Across { .. }));
             if let Crossing::Within { leaves, enters } = crossing {
-                self.leaves |= leaves;
+                self.next = self.next & !(leaves & !self.enters) | enters;
                 self.enters |= enters;
             }
         }

@@ -2,7 +2,7 @@
 
 use crate::engine::Engine;
 use crate::memory::Memory;
-use crate::program::{Bit, Code, Compiled, Condition, Op, Preset, Rest, Run, Stamp, Term, Unit};
+use crate::program::{Code, Compiled, Condition, Op, Rest, Run, Term};
 use crate::walk::{Visit, each};
 
 impl<P: Compiled, M: Memory> Engine<P, M> {
@@ -52,20 +52,6 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
                 code.is_some_and(|code| self.logic_of(*code))
             }
         }
-    }
-
-    fn has_elapsed(&mut self, timer: u16) -> bool {
-        let tables = self.tables;
-        let program = tables.program();
-        let Some(timer) = program.timers.get(usize::from(timer)) else {
-            return false;
-        };
-        let (preset, unit) = match timer.preset {
-            Preset::Constant(ms) => (ms, Unit::Milliseconds),
-            Preset::Number(number, unit) => (self.memory.number(number), unit),
-        };
-        let risen = self.activation(timer.step, timer.activated);
-        self.elapsed(risen, preset, unit)
     }
 
     /// What a piece of code on Booleans leaves.
@@ -163,41 +149,6 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
         *depth = depth.saturating_sub(1);
         self.memory.store.stack().get(*depth).copied().unwrap_or(0)
     }
-
-    /// When a step or macro step was last activated. Until phase 5 has written it down, one that is activated in
-    /// this very round counts from now.
-    fn activation(&self, step: Bit, activated: Stamp) -> u64 {
-        let tables = self.tables;
-        let program = tables.program();
-        let layout = &program.layout;
-        if self.is_settling() && self.memory.bit(step) && !self.memory.was_active(layout, step) {
-            self.now_ms
-        } else {
-            self.memory.stamp(activated)
-        }
-    }
-
-    /// Whether the preset has passed since a rise; if not, the next scan by then is no idle one. A rise that never
-    /// was has no elapsed time.
-    pub(crate) fn elapsed(&mut self, risen_ms: u64, preset: i32, unit: Unit) -> bool {
-        let elapsed_ms = self.now_ms.wrapping_sub(risen_ms);
-        let long_ms = (elapsed_ms >> 32) as i32;
-        // A preset below zero has always passed.
-        let preset = u32::try_from(preset).unwrap_or(0);
-        let left_ms = match unit {
-            Unit::Seconds => {
-                let left_ms = in_ms(preset).saturating_sub(elapsed_ms);
-                u32::try_from(left_ms).unwrap_or(u32::MAX)
-            }
-            Unit::Milliseconds if long_ms == 0 => preset.saturating_sub(elapsed_ms as u32),
-            Unit::Milliseconds => 0,
-        };
-        if left_ms > 0 {
-            self.quiet_ms = self.quiet_ms.min(left_ms);
-        }
-        // A rise that never was lies behind all times.
-        left_ms == 0 && long_ms >= 0
-    }
 }
 
 /// Executes code on Booleans.
@@ -245,10 +196,4 @@ impl Term {
         let word = image.get(usize::from(self.word));
         word.is_some_and(|word| word & self.mask == self.state)
     }
-}
-
-/// Kept apart: a product of 64 bits is a long call on a small processor, and few presets need it.
-#[inline(never)]
-fn in_ms(seconds: u32) -> u64 {
-    u64::from(seconds) * 1000
 }

@@ -61,15 +61,14 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
     pub(crate) fn settle_hierarchy(&mut self, pass: Pass) -> bool {
         let tables = self.tables;
         let program = tables.program();
+        let apart = program.hierarchy.len() > FEW;
         let mut bound = false;
-        if program.hierarchy.len() > FEW {
-            for index in program.hierarchy {
-                bound |= self.settle_apart(*index, pass);
-            }
-        } else {
-            for index in program.hierarchy {
-                bound |= self.settle_and_order(*index, pass);
-            }
+        for index in program.hierarchy {
+            bound |= if apart {
+                self.settle_apart(*index, pass)
+            } else {
+                self.settle_and_order(*index, pass)
+            };
         }
         bound
     }
@@ -109,6 +108,7 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
         self.bind(graph, index, standing, pass)
     }
 
+    #[inline(never)]
     fn bind(&mut self, graph: &Graph, index: u16, standing: Standing, pass: Pass) -> bool {
         let decision = self.decide(graph, standing, pass);
         let void = !matches!(decision, Decision::Own);

@@ -10,6 +10,7 @@
 //! - [`program`]: the tables;
 //! - [`memory`]: the images, numbers and time stamps;
 //! - `expression`: conditions and values (conjunctions as mask and state words, the rest as postfix code);
+//! - `timing`: timers that have run out;
 //! - `watch`: edges and timers, which remember;
 //! - `evolution`: triggers and firing (phases 2 and 3);
 //! - `sequence`: the same where it is known beforehand what is armed, in large programs;
@@ -37,6 +38,7 @@ pub mod program;
 mod sequence;
 mod sets;
 pub mod soundness;
+mod timing;
 #[cfg(feature = "alloc")]
 pub mod vectors;
 mod view;

@@ -1,6 +1,6 @@
 //! What changes while a program runs.
 
-use crate::program::{Armed, Bit, Layout, Number, Run, Stamp, Target};
+use crate::program::{Armed, Bit, Layout, Number, Run, Since, Stamp, Target};
 
 /// A [`Stamp`] that never was: later than every time, with room for any preset behind it.
 pub(crate) const NEVER: u64 = 1 << 63;
@@ -83,6 +83,11 @@ pub trait Memory {
     fn stamps(&self) -> &[u64];
     /// The same, to be written.
     fn stamps_mut(&mut self) -> &mut [u64];
+    /// Times of activation of steps whose timers are asked for only while they are active: the low words of ms, at most
+    /// [`Timer::LONGEST_OWN_MS`](crate::program::Timer::LONGEST_OWN_MS) and some days ago. [`Layout::since`] of them.
+    fn since(&self) -> &[u32];
+    /// The same, to be written.
+    fn since_mut(&mut self) -> &mut [u32];
     /// One for each graph, if a graph forces or encloses another. [`Layout::standings`] of them.
     fn standings(&self) -> &[Standing];
     /// The same, to be written.
@@ -109,8 +114,8 @@ pub trait Memory {
 ///
 /// ```
 /// grafcet_core::storage!(Storage {
-///     image: 7, numbers: 2, before: 1, before_scan: 0, fired: 1, passed: 0, stack: 0, stamps: 1, standings: 0,
-///     shown: 0, sets: 0, armed: 0
+///     image: 7, numbers: 2, before: 1, before_scan: 0, fired: 1, passed: 0, stack: 0, stamps: 1, since: 0,
+///     standings: 0, shown: 0, sets: 0, armed: 0
 /// });
 /// static STORAGE: Storage = Storage::new();
 /// ```
@@ -119,7 +124,8 @@ macro_rules! storage {
     ($name:ident {
         image: $image:literal, numbers: $numbers:literal, before: $before:literal, before_scan: $before_scan:literal,
         fired: $fired:literal, passed: $passed:literal, stack: $stack:literal, stamps: $stamps:literal,
-        standings: $standings:literal, shown: $shown:literal, sets: $sets:literal, armed: $armed:literal
+        since: $since:literal, standings: $standings:literal, shown: $shown:literal, sets: $sets:literal,
+        armed: $armed:literal
     }) => {
         /// The memory of the program.
         #[repr(C)]
@@ -133,6 +139,7 @@ macro_rules! storage {
             passed: [u32; $passed],
             stack: [i32; $stack],
             stamps: [u64; $stamps],
+            since: [u32; $since],
             standings: [$crate::memory::Standing; $standings],
             shown: [u32; $shown],
             sets: [u32; $sets],
@@ -152,6 +159,7 @@ macro_rules! storage {
                     passed: [0; $passed],
                     stack: [0; $stack],
                     stamps: [0; $stamps],
+                    since: [0; $since],
                     standings: [$crate::memory::Standing::FREE; $standings],
                     shown: [0; $shown],
                     sets: [0; $sets],
@@ -171,6 +179,7 @@ macro_rules! storage {
                     && $passed == layout.passed as usize
                     && $stack == layout.stack as usize
                     && $stamps == layout.stamps as usize
+                    && $since == layout.since as usize
                     && $standings == layout.standings as usize
                     && $shown == layout.shown as usize
                     && $sets == layout.sets as usize
@@ -198,7 +207,7 @@ macro_rules! memory_methods {
         $crate::memory_methods! {
             @$way image image_mut u32, numbers numbers_mut i32, before before_mut u32,
             before_scan before_scan_mut u32, fired fired_mut u32, passed passed_mut u32, stack stack_mut i32,
-            stamps stamps_mut u64, standings standings_mut $crate::memory::Standing, shown shown_mut u32,
+            stamps stamps_mut u64, since since_mut u32, standings standings_mut $crate::memory::Standing, shown shown_mut u32,
             sets sets_mut u32, armed armed_mut $crate::program::Armed
         }
     };
@@ -246,6 +255,7 @@ impl<M: Memory> Bank<M> {
         self.store.armed_mut().fill(Armed::UNKNOWN);
         self.store.passed_mut().fill(0);
         self.store.stamps_mut().fill(NEVER);
+        self.store.since_mut().fill(0);
         self.store.standings_mut().fill(Standing::FREE);
     }
 
@@ -339,6 +349,17 @@ impl<M: Memory> Bank<M> {
     pub(crate) fn set_stamp(&mut self, stamp: Stamp, time_ms: u64) {
         if let Some(slot) = self.store.stamps_mut().get_mut(usize::from(stamp.0)) {
             *slot = time_ms;
+        }
+    }
+
+    pub(crate) fn since(&self, since: Since) -> u32 {
+        let slot = self.store.since().get(usize::from(since.0));
+        slot.copied().unwrap_or(0)
+    }
+
+    pub(crate) fn set_since(&mut self, since: Since, time_ms: u64) {
+        if let Some(slot) = self.store.since_mut().get_mut(usize::from(since.0)) {
+            *slot = time_ms as u32;
         }
     }
 

@@ -19,7 +19,7 @@ pub use crate::walk::VisitSteps;
 pub use expression::{
     Code, Condition, Edge, Edges, Op, Preset, Rest, Seen, Term, Timer, Unit, Watch,
 };
-pub use place::{Bit, Number, Run, Slot, Stamp};
+pub use place::{Bit, Number, Run, Since, Slot, Stamp};
 pub use rows::{
     Arm, Assignment, Block, Crossing, Dependent, Duties, Enclosing, Event, Forced, Graph, Macro,
     Masks, Momentary, NumberRow, Order, Retained, Role, Step, Stored, Target, Transition,
@@ -57,6 +57,8 @@ pub struct Layout {
     pub numbers: u16,
     /// Time stamps.
     pub stamps: u16,
+    /// Steps of which is kept since when they are active.
+    pub since: u16,
     /// Depth of the stack that the deepest code needs.
     pub stack: u16,
     /// Words with one bit for each transition; none when none is ever marked.
@@ -237,26 +239,16 @@ impl Program<'_> {
     #[must_use]
     #[inline(always)]
     pub fn do_block(&self, transition: &Transition) -> Run {
-        match transition.actions {
-            0 => Run::EMPTY,
-            row => {
-                let run = self.do_blocks.get(usize::from(row));
-                run.copied().unwrap_or(Run::EMPTY)
-            }
-        }
+        let run = self.do_blocks.get(usize::from(transition.actions));
+        run.copied().unwrap_or(Run::EMPTY)
     }
 
     /// A row of the conditions.
     #[must_use]
     #[inline(always)]
     pub fn condition(&self, row: u16) -> Condition {
-        match row {
-            0 => Condition::ALWAYS,
-            row => {
-                let condition = self.conditions.get(usize::from(row));
-                condition.copied().unwrap_or(Condition::ALWAYS)
-            }
-        }
+        let condition = self.conditions.get(usize::from(row));
+        condition.copied().unwrap_or(Condition::ALWAYS)
     }
 
     /// What a graph is among others.

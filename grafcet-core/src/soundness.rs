@@ -109,7 +109,7 @@ impl Unsound {
 /// # use grafcet_core::soundness::demand;
 /// # const LAYOUT: Layout = Layout {
 /// #     words: 1, inputs: Run::EMPTY, situations: Run::EMPTY, macros: Run::EMPTY, momentary: Run::EMPTY,
-/// #     number_inputs: Run::EMPTY, outside: Run::EMPTY, numbers: 0, stamps: 0, stack: 0, fired: 0, passed: 0,
+/// #     number_inputs: Run::EMPTY, outside: Run::EMPTY, numbers: 0, stamps: 0, since: 0, stack: 0, fired: 0, passed: 0,
 /// #     remembered: 0, standings: 0, shown: 0, sets: 0, armed: 0, before: 0,
 /// # };
 /// # const EMPTY: Program<'static> = Program {
@@ -132,7 +132,7 @@ impl Unsound {
 /// # use grafcet_core::soundness::demand;
 /// # const LAYOUT: Layout = Layout {
 /// #     words: 1, inputs: Run::EMPTY, situations: Run::EMPTY, macros: Run::EMPTY, momentary: Run::EMPTY,
-/// #     number_inputs: Run::EMPTY, outside: Run::EMPTY, numbers: 0, stamps: 0, stack: 0, fired: 0, passed: 0,
+/// #     number_inputs: Run::EMPTY, outside: Run::EMPTY, numbers: 0, stamps: 0, since: 0, stack: 0, fired: 0, passed: 0,
 /// #     remembered: 0, standings: 0, shown: 0, sets: 0, armed: 0, before: 0,
 /// # };
 /// # const EMPTY: Program<'static> = Program {

@@ -22,6 +22,7 @@ const NOTHING: Duties = Duties {
     on_event: Run::EMPTY,
     orders: Run::EMPTY,
     activated: None,
+    since: None,
 };
 
 const COUNTER: NumberRow = NumberRow {
@@ -45,6 +46,7 @@ static PROGRAM: Program<'static> = Program {
         outside: Run::EMPTY,
         numbers: 2,
         stamps: 1,
+        since: 0,
         stack: 0,
         fired: 1,
         passed: 0,
@@ -191,7 +193,7 @@ static PROGRAM: Program<'static> = Program {
             state: 0,
         },
     ],
-    timers: &[Timer {
+    timers: &[Timer::Any {
         step: X2,
         activated: Stamp(0),
         preset: Preset::Constant(20),
@@ -214,6 +216,7 @@ grafcet_core::storage!(Storage {
     passed: 0,
     stack: 0,
     stamps: 1,
+    since: 0,
     standings: 0,
     shown: 0,
     sets: 0,
@@ -231,6 +234,7 @@ grafcet_core::storage!(Small {
     passed: 0,
     stack: 0,
     stamps: 0,
+    since: 0,
     standings: 0,
     shown: 0,
     sets: 0,

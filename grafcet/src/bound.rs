@@ -4,25 +4,22 @@
 //! cost was counted on images of many programs (`docs/src/speed.md`, "Worst case known"); the sum leaves out what never
 //! happens together only as far as structure and contradicting triggers show it.
 
-pub mod activity;
 mod graph;
 mod report;
 mod rounds;
 mod rows;
 #[cfg(test)]
 mod tests;
-pub mod together;
-pub mod trigger;
 pub mod work;
 
 use std::collections::BTreeSet;
 
+use grafcet_compiler::activity::Activity;
 use grafcet_compiler::application::{Unit, VariableSymbol};
 use grafcet_compiler::emit::FEW;
 use grafcet_compiler::model::DeclarationKind;
 use grafcet_core::program::{Block, Evolution, GROUP, Program, Slot, Step};
 
-use activity::Activity;
 use graph::{Acting, Part};
 pub use report::{Clocks, json, text};
 pub use rounds::Rounds;
@@ -191,7 +188,7 @@ enum Walks {
 impl Walks {
     /// The steps for which each of the walks has something to do; none when it passes every word all the same.
     fn masks(self, program: &Program<'_>, block: &Block) -> Vec<u32> {
-        let timed = program.layout.stamps > 0;
+        let timed = program.layout.stamps + program.layout.since > 0;
         let does = program.masks(block);
         let masks = match self {
             Walks::Round => [
@@ -247,7 +244,7 @@ fn walks(rows: Rows<'_>, graphs: &[Acting<'_>], walks: Walks) -> Work {
         Walks::Scan => 1 + usize::from(program.lasting_in_steps),
         Walks::Round => {
             1 + usize::from(!program.crosses_at_once)
-                + usize::from(program.layout.stamps > 0)
+                + usize::from(program.layout.stamps + program.layout.since > 0)
                 + usize::from(!program.events.is_empty())
                 + 2 * usize::from(program.stores_on_change)
         }

@@ -43,7 +43,7 @@ pub fn look(program: &Program<'_>, seen: &mut Seen) {
         seen.insert(crossing.name());
     }
     for timer in program.timers {
-        seen.insert(timer.preset.name());
+        seen.insert(timer.preset().name());
     }
     for it in program.conditions {
         condition(it, seen);
@@ -56,7 +56,7 @@ pub fn look(program: &Program<'_>, seen: &mut Seen) {
     );
 }
 
-fn features(program: &Program<'_>) -> [(&'static str, bool); 22] {
+fn features(program: &Program<'_>) -> [(&'static str, bool); 23] {
     let (graphs, steps, duties) = (program.graphs, program.steps, program.duties);
     let roles = program.roles;
     let retained = |number: bool| {
@@ -98,6 +98,10 @@ fn features(program: &Program<'_>) -> [(&'static str, bool); 22] {
             program.macros.iter().any(|it| it.activated.is_some()),
         ),
         ("step timed", duties.iter().any(|it| it.activated.is_some())),
+        (
+            "step timed for itself",
+            duties.iter().any(|it| it.since.is_some()),
+        ),
         (
             "momentary of a step",
             steps.iter().any(|it| it.momentary_count > 0),

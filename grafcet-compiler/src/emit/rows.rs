@@ -3,8 +3,8 @@
 use grafcet_core::program::{
     Arm, Assignment, Bit, Block, Code, Condition, Course, Crossing, Dependent, Duties, Edge, Edges,
     Enclosing, Event, Evolution, Forced, Graph, Layout, Macro, Masks, Momentary, Number, NumberRow,
-    Op, Order, Preset, Rest, Retained, Role, Run, Seen, Sequel, Slot, Stamp, Step, Stored, Target,
-    Term, Timer, Transition, Unit, Watch,
+    Op, Order, Preset, Rest, Retained, Role, Run, Seen, Sequel, Since, Slot, Stamp, Step, Stored,
+    Target, Term, Timer, Transition, Unit, Watch,
 };
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
@@ -38,7 +38,7 @@ structs! {
         initially_true retained
     }
     Layout => Layout {
-        words inputs situations macros momentary number_inputs outside numbers stamps stack fired passed before
+        words inputs situations macros momentary number_inputs outside numbers stamps since stack fired passed before
         remembered standings shown sets armed
     }
     Graph => Graph {
@@ -46,7 +46,7 @@ structs! {
     }
     Role => Role { sources enclosings orders self_orders watches self_watches }
     Step => Step { first_arm first_momentary duties arm_count momentary_count }
-    Duties => Duties { stored on_activation on_deactivation on_event orders activated }
+    Duties => Duties { stored on_activation on_deactivation on_event orders activated since }
     Block => Block { first masks momentary }
     Masks => Masks { timed stored on_activation on_deactivation on_event forcing }
     Arm => Arm { transition term sequel }
@@ -62,7 +62,6 @@ structs! {
     Term => Term { word mask state }
     Edges => Edges { word last rises falls }
     Seen => Seen { word bits }
-    Timer => Timer { step activated preset }
     NumberRow => NumberRow { initial min max }
     Retained => Retained { slot key }
     Code => Code { start len }
@@ -80,7 +79,7 @@ macro_rules! indices {
     )*};
 }
 
-indices! { Bit Course Number Stamp }
+indices! { Bit Course Number Since Stamp }
 
 /// A variant with named fields is the literals of its fields.
 macro_rules! variant {
@@ -270,6 +269,23 @@ impl Row for Assignment {
                 let (number, value) = (number.literal(), value.literal());
                 quote!(Assignment::Number(#number, #value))
             }
+        }
+    }
+}
+
+impl Row for Timer {
+    fn literal(&self) -> TokenStream {
+        match self {
+            Timer::Own { since, preset } => variant!(Timer::Own { since, preset }),
+            Timer::Any {
+                step,
+                activated,
+                preset,
+            } => variant!(Timer::Any {
+                step,
+                activated,
+                preset
+            }),
         }
     }
 }

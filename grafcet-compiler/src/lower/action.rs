@@ -46,7 +46,9 @@ impl Lowering<'_> {
         let action = &self.model[step].action;
         let change = self.change();
         StepRuns {
-            stored: self.stored(&action.stored, Context::Action),
+            stored: self.while_active(vec![step], |unit| {
+                unit.stored(&action.stored, Context::Action)
+            }),
             on_activation: self.stored(&action.on_activation, change),
             on_deactivation: self.stored(&action.on_deactivation, change),
             on_event: self.events(step, &action.on_event),
@@ -100,14 +102,16 @@ impl Lowering<'_> {
         let causality = Causality::of(self.model, &self.graphs);
         let independent = || causality.statements.iter().filter(|it| it.reads.is_empty());
         let always = independent().filter(|it| it.owner.is_none());
-        let rows = always.map(|it| self.momentary(it.statement)).collect();
+        let rows = always
+            .map(|it| self.momentary(it.owner, it.statement))
+            .collect();
         self.rows.always_momentary = self.rows.momentary.run(rows);
         let in_steps: Vec<_> = independent()
             .filter_map(|it| Some((it.owner?, it.statement)))
             .collect();
         for of_one_step in in_steps.chunk_by(|a, b| a.0 == b.0) {
             let statements = of_one_step.iter();
-            let rows = statements.map(|(_, statement)| self.momentary(statement));
+            let rows = statements.map(|(owner, statement)| self.momentary(Some(*owner), statement));
             let rows = rows.collect();
             let run = self.rows.momentary.run(rows);
             if let Some((step, _)) = of_one_step.first()
@@ -123,13 +127,13 @@ impl Lowering<'_> {
         {
             let row = Dependent {
                 owner: it.owner.map(|step| self.places.bit(Atom::Step(step))),
-                statement: self.momentary(it.statement),
+                statement: self.momentary(it.owner, it.statement),
             };
             self.rows.dependent.push(row);
         }
     }
 
-    fn momentary(&mut self, statement: &model::Momentary) -> Momentary {
+    fn momentary(&mut self, owner: Option<StepId>, statement: &model::Momentary) -> Momentary {
         let mut words: BTreeMap<u16, u32> = BTreeMap::new();
         for target in &statement.targets {
             let bit = self.places.bit(Atom::Variable(target.variable));
@@ -138,7 +142,10 @@ impl Lowering<'_> {
         let targets = words.into_iter();
         let targets = targets.map(|(word, mask)| Target { word, mask });
         let targets = self.pool.targets.run(targets.collect());
-        let condition = self.optional(statement.condition.as_ref(), Context::Action);
+        let owner = owner.into_iter().collect();
+        let condition = self.while_active(owner, |unit| {
+            unit.optional(statement.condition.as_ref(), Context::Action)
+        });
         Momentary {
             targets,
             condition: self.pool.conditions.row(condition),

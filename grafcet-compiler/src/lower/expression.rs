@@ -34,7 +34,8 @@ impl Lowering<'_> {
 
     /// The bit that tells that an event has come: an edge standing alone, or a value taken while its step is active.
     pub fn event(&mut self, event: &Expression, step: Bit) -> Bit {
-        let node = self.node(event, Context::Trigger);
+        // In whichever situation, for an edge as for a value.
+        let node = self.at_any_time(|unit| unit.node(event, Context::Trigger));
         match node {
             Node::Bit(bit) if event.bare().is_edge() => bit,
             node => {
@@ -114,9 +115,10 @@ impl Lowering<'_> {
     }
 
     fn edge(&mut self, edge: Edge, operand: &Expression, context: Context) -> Node {
+        // Edges are looked at in every scan.
+        let node = self.at_any_time(|unit| unit.node(operand, context));
         let lone_step = operand.is_step() && edge == Edge::Rising;
         let from_false = lone_step && context != Context::Trigger && self.kind != Kind::Observer;
-        let node = self.node(operand, context);
         if let Node::Bit(input) = node
             && self.has_input_edges(input)
         {
@@ -143,10 +145,13 @@ impl Lowering<'_> {
     }
 
     fn timer(&mut self, enable: &Expression, preset: &Expression, context: Context) -> Node {
+        if let Some(timer) = self.own_timer(enable, preset, context) {
+            return timer;
+        }
         if let Some(timer) = self.step_timer(enable, preset, context) {
             return self.settled(timer, preset, context);
         }
-        let enable = self.condition(enable, context);
+        let enable = self.at_any_time(|unit| unit.condition(enable, context));
         let (node, unit) = self.preset(preset, context);
         let preset = self.pool.code(&node, preset.span);
         Node::Bit(self.watch(
@@ -169,14 +174,21 @@ impl Lowering<'_> {
         off: Option<&Expression>,
         context: Context,
     ) -> Node {
-        let delayed = match self.step_timer(enable, on, context) {
+        let own = self.own_timer(enable, on, context);
+        let is_own = own.is_some();
+        let timer = own.or_else(|| self.step_timer(enable, on, context));
+        let delayed = match timer {
             Some(timer) => {
                 let step = self.node(enable, context);
                 let both = Node::binary(Binary::And, timer, step, true);
-                self.settled(both, on, context)
+                if is_own {
+                    both
+                } else {
+                    self.settled(both, on, context)
+                }
             }
             None => {
-                let condition = self.condition(enable, context);
+                let condition = self.at_any_time(|unit| unit.condition(enable, context));
                 let delay = self.code(on, context);
                 Node::Bit(self.watch(
                     context,
@@ -261,7 +273,7 @@ impl Lowering<'_> {
     }
 
     /// A preset and its unit; a constant one in ms.
-    fn preset(&mut self, preset: &Expression, context: Context) -> (Node, Unit) {
+    pub(super) fn preset(&mut self, preset: &Expression, context: Context) -> (Node, Unit) {
         let seconds = preset.ty == Some(Type::Int);
         match preset.constant(self.model) {
             Some(value) if seconds => (

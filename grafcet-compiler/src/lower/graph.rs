@@ -57,7 +57,11 @@ impl Lowering<'_> {
         let crossing = self.crossing(transition);
         let (node, span) = match &transition.trigger {
             Trigger::Always | Trigger::Unknown => (Node::Constant(1), self.model.span),
-            Trigger::Expression(trigger) => (self.node(trigger, Context::Trigger), trigger.span),
+            Trigger::Expression(trigger) => {
+                let entrance = transition.entrance.clone();
+                let node = |unit: &mut Self| unit.node(trigger, Context::Trigger);
+                (self.while_active(entrance, node), trigger.span)
+            }
         };
         let others = transition.entrance.iter().skip(1);
         let others: Vec<_> = others

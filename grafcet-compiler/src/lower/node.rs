@@ -1,6 +1,6 @@
 //! Expressions over places, simplified where nothing that counts is lost.
 
-use grafcet_core::program::{Bit, Number, Stamp, Unit};
+use grafcet_core::program::{Bit, Number, Stamp, Timer, Unit};
 
 use crate::ast::Binary;
 use crate::model::combine;
@@ -13,6 +13,8 @@ pub(super) enum Node {
     Number(Number),
     /// All of these bits stand like this.
     Situation(Vec<(Bit, bool)>),
+    /// A timer that is asked for only while its step is active.
+    Timer(Timer),
     StepTimer {
         step: Bit,
         activated: Stamp,
@@ -64,7 +66,11 @@ impl Node {
     /// Whether evaluating it can count an arithmetic fault, so that it must not be left out.
     pub fn can_fault(&self) -> bool {
         match self {
-            Node::Constant(_) | Node::Bit(_) | Node::Number(_) | Node::Situation(_) => false,
+            Node::Constant(_)
+            | Node::Bit(_)
+            | Node::Number(_)
+            | Node::Situation(_)
+            | Node::Timer(_) => false,
             Node::StepTimer { preset, .. } => preset.can_fault(),
             Node::Not(inner) => inner.can_fault(),
             Node::Negate(_) => true,

@@ -248,25 +248,27 @@ impl Pool {
 
 /// The timer on a step that a node is, unless its preset is calculated.
 fn timer(node: &Node) -> Option<Timer> {
-    let Node::StepTimer {
-        step,
-        activated,
-        unit,
-        preset,
-    } = node
-    else {
-        return None;
-    };
-    let preset = match (preset.as_ref(), unit) {
-        (Node::Constant(ms), Unit::Milliseconds) => Preset::Constant(*ms),
-        (Node::Number(number), unit) => Preset::Number(*number, *unit),
-        _ => return None,
-    };
-    Some(Timer {
-        step: *step,
-        activated: *activated,
-        preset,
-    })
+    match node {
+        Node::Timer(timer) => Some(*timer),
+        Node::StepTimer {
+            step,
+            activated,
+            unit,
+            preset,
+        } => {
+            let preset = match (preset.as_ref(), unit) {
+                (Node::Constant(ms), Unit::Milliseconds) => Preset::Constant(*ms),
+                (Node::Number(number), unit) => Preset::Number(*number, *unit),
+                _ => return None,
+            };
+            Some(Timer::Any {
+                step: *step,
+                activated: *activated,
+                preset,
+            })
+        }
+        _ => None,
+    }
 }
 
 fn can_fault(op: &Op) -> bool {
@@ -303,6 +305,7 @@ fn push(node: &Node, timers: &mut Shared<Timer>, ops: &mut Vec<Op>) -> usize {
         Node::Bit(bit) => ops.push(Op::Bit(*bit)),
         Node::Number(number) => ops.push(Op::Number(*number)),
         Node::Situation(steps) => return push_situation(steps, ops),
+        Node::Timer(timer) => ops.push(Op::Elapsed(timers.row(*timer))),
         Node::StepTimer {
             step,
             activated,

@@ -30,9 +30,13 @@ pub(super) fn first_scan(tables: &Tables) -> bool {
 /// The words and bits that conditions and values read.
 fn conditions(tables: &Tables) -> impl Iterator<Item = (u16, u32)> {
     let terms = tables.terms.iter().map(|term| (term.word, term.mask));
-    let bits = tables.ops.iter().filter_map(|op| match op {
-        Op::Bit(Bit(bit)) => Some((bit / 32, 1 << (bit % 32))),
+    terms.chain(bits(tables.ops.iter()).map(|bit| (bit.0 / 32, bit.mask())))
+}
+
+/// The Booleans that code reads.
+fn bits<'t>(ops: impl Iterator<Item = &'t Op>) -> impl Iterator<Item = Bit> {
+    ops.filter_map(|op| match op {
+        Op::Bit(bit) => Some(*bit),
         _ => None,
-    });
-    terms.chain(bits)
+    })
 }

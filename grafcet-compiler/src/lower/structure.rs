@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use grafcet_core::program::{
-    Arm, Block, Duties, Graph, Macro, Masks, Role, Run, Sequel, Stamp, Step,
+    Arm, Block, Duties, Graph, Macro, Masks, Role, Run, Sequel, Since, Stamp, Step,
 };
 
 use super::atoms::Atom;
@@ -53,7 +53,7 @@ impl Lowering<'_> {
             arms: Vec::new(),
             sources: Vec::new(),
         };
-        let mut duties = Shared::behind(duties_of(&StepRuns::default(), None));
+        let mut duties = Shared::behind(duties_of(&StepRuns::default(), None, None));
         let mut roles = Shared::behind(Role::NONE);
         let mut masks = Shared::default();
         for (row, &id) in graphs.iter().enumerate() {
@@ -75,7 +75,7 @@ impl Lowering<'_> {
                 structure.steps.push(Step {
                     first_arm: index(start),
                     first_momentary: runs.momentary.start,
-                    duties: duties.row(duties_of(&runs, activated)),
+                    duties: duties.row(duties_of(&runs, activated, self.timing.since(step))),
                     arm_count: count(arms),
                     momentary_count: count(usize::from(momentary)),
                 });
@@ -171,7 +171,7 @@ fn masks_of(steps: &[Step], duties: &[Duties]) -> Masks {
         mask(steps, |step| of(step).is_some_and(acts))
     };
     Masks {
-        timed: acting(&|duties| duties.activated.is_some()),
+        timed: acting(&|duties| duties.activated.is_some() || duties.since.is_some()),
         stored: acting(&|duties| duties.stored.len > 0),
         on_activation: acting(&|duties| duties.on_activation.len > 0),
         on_deactivation: acting(&|duties| duties.on_deactivation.len > 0),
@@ -186,7 +186,7 @@ fn mask(steps: &[Step], is: impl Fn(&Step) -> bool) -> u32 {
     bits.fold(0, |mask, (place, _)| mask | 1 << place)
 }
 
-fn duties_of(runs: &StepRuns, activated: Option<Stamp>) -> Duties {
+fn duties_of(runs: &StepRuns, activated: Option<Stamp>, since: Option<Since>) -> Duties {
     Duties {
         stored: runs.stored,
         on_activation: runs.on_activation,
@@ -194,6 +194,7 @@ fn duties_of(runs: &StepRuns, activated: Option<Stamp>) -> Duties {
         on_event: runs.on_event,
         orders: runs.orders,
         activated,
+        since,
     }
 }
 

@@ -15,6 +15,7 @@ use super::places::{Contents, Places};
 use super::pool::{Pool, Shared};
 use super::reads;
 use super::sequence;
+use super::timing::Timing;
 use super::watch::{Context, Memories, Watches};
 use crate::application::Tables;
 use crate::diagnostic::Diagnostic;
@@ -42,6 +43,7 @@ pub(super) struct Lowering<'m> {
     pub graphs: Vec<GraphId>,
     pub rows: Rows,
     activations: BTreeMap<Atom, Stamp>,
+    pub(super) timing: Timing,
 }
 
 /// Rows that refer to what lies in other tables.
@@ -110,6 +112,7 @@ impl<'m> Lowering<'m> {
                 ..Rows::default()
             },
             activations: BTreeMap::new(),
+            timing: Timing::default(),
         }
     }
 
@@ -156,6 +159,7 @@ impl<'m> Lowering<'m> {
         layout.words = index(self.memories.bits.div_ceil(32));
         layout.numbers = index(self.places.numbers.len());
         layout.stamps = index(self.memories.stamps);
+        layout.since = index(self.timing.steps());
         layout.stack = index(self.pool.stack);
         layout.before = index(layout.situation_words());
         layout.fired = index(self.rows.transitions.len().div_ceil(32));

@@ -9,7 +9,7 @@ use grafcet_compiler::source::Span;
 use grafcet_core::program::{
     Assignment, Bit, Code, Condition, Dependent, Edge, Edges, Enclosing, Event, Evolution, Forced,
     Layout, Macro, Momentary, Number, NumberRow, Op, Order, Preset, Rest, Retained, Run, Seen,
-    Slot, Stamp, Stored, Target, Term, Timer, Unit as PresetUnit, Watch,
+    Since, Slot, Stamp, Stored, Target, Term, Timer, Unit as PresetUnit, Watch,
 };
 
 use self::structure::{
@@ -140,6 +140,7 @@ fn tables() -> Tables {
             outside: run(9, 1),
             numbers: 4,
             stamps: 4,
+            since: 1,
             stack: 2,
             fired: 1,
             passed: 0,
@@ -255,6 +256,10 @@ fn tables() -> Tables {
         timers: vec![
             timer(Preset::Constant(500)),
             timer(Preset::Number(Number(3), PresetUnit::Seconds)),
+            Timer::Own {
+                since: Since(0),
+                preset: Preset::Constant(10),
+            },
         ],
         codes: vec![
             Code { start: 0, len: 3 },
@@ -284,7 +289,7 @@ fn term(word: u16, mask: u32, state: u32) -> Term {
 }
 
 fn timer(preset: Preset) -> Timer {
-    Timer {
+    Timer::Any {
         step: Bit(64),
         activated: Stamp(0),
         preset,

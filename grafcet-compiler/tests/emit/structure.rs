@@ -1,7 +1,8 @@
 //! The graphs of that controller.
 
 use grafcet_core::program::{
-    Arm, Block, Course, Crossing, Duties, Graph, Masks, Role, Run, Sequel, Stamp, Step, Transition,
+    Arm, Block, Course, Crossing, Duties, Graph, Masks, Role, Run, Sequel, Since, Stamp, Step,
+    Transition,
 };
 
 use super::run;
@@ -82,6 +83,7 @@ pub fn duties() -> Vec<Duties> {
         on_event: Run::EMPTY,
         orders: Run::EMPTY,
         activated: None,
+        since: None,
     };
     vec![
         nothing,
@@ -91,6 +93,7 @@ pub fn duties() -> Vec<Duties> {
             on_deactivation: run(0, 2),
             on_event: run(0, 1),
             activated: Some(Stamp(0)),
+            since: Some(Since(0)),
             ..nothing
         },
         Duties {

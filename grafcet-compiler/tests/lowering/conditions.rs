@@ -41,7 +41,7 @@ fn is_logic(expression: &str) -> bool {
 
 /// The timers of a program, by their presets.
 fn presets(tables: &Tables) -> Vec<Preset> {
-    tables.timers.iter().map(|timer| timer.preset).collect()
+    tables.timers.iter().map(|timer| timer.preset()).collect()
 }
 
 const A: Bit = Bit(32);
@@ -229,9 +229,8 @@ fn a_trigger_that_needs_an_entrance_step_to_be_inactive_never_fires() {
 fn a_timer_on_a_step_alone_or_behind_terms_is_no_code() {
     let (terms, rest, tables) = trigger("T/X1/2s");
     assert_eq!((terms.len(), rest), (0, Rest::Elapsed(0)));
-    let timer = Timer {
-        step: Bit(64),
-        activated: tables.duties[1].activated.unwrap(),
+    let timer = Timer::Own {
+        since: tables.duties[1].since.unwrap(),
         preset: Preset::Constant(2000),
     };
     assert_eq!(tables.timers, [timer]);

@@ -44,7 +44,7 @@ fn a_chain_of_a_thousand_steps_compiles() {
     let tables = tables(&(text + "}"));
     assert_eq!(tables.steps.len(), 1000);
     assert_eq!(tables.graphs[0].words().len, 32);
-    assert_eq!(tables.layout.stamps, 999);
+    assert_eq!((tables.layout.stamps, tables.layout.since), (0, 999));
     // The edges of all inputs at once, and each timer where it is asked for.
     assert_eq!((tables.edges.len(), tables.watches.len()), (1, 0));
     assert_eq!((tables.timers.len(), tables.ops.len()), (999, 0));

@@ -11,6 +11,8 @@ mod sequence;
 mod sharing;
 mod structure;
 mod substitution;
+mod timing;
+mod walk;
 mod watches;
 
 use grafcet_compiler::application::{Application, Tables};

@@ -1,7 +1,7 @@
 //! Edges and timers: which have a memory, and when they are evaluated.
 
 use grafcet_compiler::application::Tables;
-use grafcet_core::program::{Bit, Edge, Edges, Op, Preset, Run, Term, Unit, Watch};
+use grafcet_core::program::{Bit, Edge, Edges, Op, Preset, Run, Term, Timer, Unit, Watch};
 
 use crate::{condition, graph, ops_of, role, tables, terms_of};
 
@@ -15,13 +15,14 @@ fn a_step_is_timed_by_its_activation_and_others_are_not_timed() {
         "initial step 1; step 2\ntransition 1: 1 -> 2 when T/X1/2s AND a\ntransition 2: 2 -> 1 when p/X1 OR T/X1/p",
     );
     assert!(tables.watches.is_empty());
-    let timers: Vec<_> = tables
-        .timers
-        .iter()
-        .map(|timer| (timer.step, timer.activated))
-        .collect();
-    let activated = tables.duties[usize::from(tables.steps[0].duties)].activated;
-    assert_eq!(timers, [(Bit(64), activated.unwrap()); 2]);
+    let duties = tables.duties[usize::from(tables.steps[0].duties)];
+    // The first is asked for only while the step is active.
+    assert!(matches!(tables.timers[0], Timer::Own { since, .. } if Some(since) == duties.since));
+    assert!(matches!(
+        tables.timers[1],
+        Timer::Any { step: Bit(64), activated, .. } if Some(activated) == duties.activated
+    ));
+    assert_eq!((tables.timers.len(), tables.layout.since), (2, 1));
     let ops = ops_of(
         &tables,
         condition(&tables, tables.transitions[1].fires).rest,
@@ -35,7 +36,7 @@ fn a_step_is_timed_by_its_activation_and_others_are_not_timed() {
 #[test]
 fn an_integer_preset_counts_seconds() {
     let tables = graph("initial step 1\ntransition 1: 1 -> 1 when T/X1/3 AND T/X1/n");
-    let presets: Vec<Preset> = tables.timers.iter().map(|timer| timer.preset).collect();
+    let presets: Vec<Preset> = tables.timers.iter().map(|timer| timer.preset()).collect();
     assert!(matches!(
         presets[..],
         [Preset::Constant(3000), Preset::Number(_, Unit::Seconds)]

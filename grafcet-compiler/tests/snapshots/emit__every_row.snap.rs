@@ -14,6 +14,7 @@ pub static PROGRAM: Program<'static> = Program {
         outside: Run { start: 9, len: 1 },
         numbers: 4,
         stamps: 4,
+        since: 1,
         stack: 2,
         fired: 1,
         passed: 0,
@@ -403,6 +404,7 @@ pub static PROGRAM: Program<'static> = Program {
             on_event: Run::EMPTY,
             orders: Run::EMPTY,
             activated: None,
+            since: None,
         },
         Duties {
             stored: Run { start: 0, len: 1 },
@@ -411,6 +413,7 @@ pub static PROGRAM: Program<'static> = Program {
             on_event: Run { start: 0, len: 1 },
             orders: Run::EMPTY,
             activated: Some(Stamp(0)),
+            since: Some(Since(0)),
         },
         Duties {
             stored: Run::EMPTY,
@@ -419,6 +422,7 @@ pub static PROGRAM: Program<'static> = Program {
             on_event: Run::EMPTY,
             orders: Run { start: 0, len: 1 },
             activated: None,
+            since: None,
         },
     ],
     macros: &[
@@ -698,15 +702,19 @@ pub static PROGRAM: Program<'static> = Program {
         Term { word: 0, mask: 0, state: 0 },
     ],
     timers: &[
-        Timer {
+        Timer::Any {
             step: Bit(64),
             activated: Stamp(0),
             preset: Preset::Constant(500),
         },
-        Timer {
+        Timer::Any {
             step: Bit(64),
             activated: Stamp(0),
             preset: Preset::Number(Number(3), Unit::Seconds),
+        },
+        Timer::Own {
+            since: Since(0),
+            preset: Preset::Constant(10),
         },
     ],
     codes: &[
@@ -816,16 +824,15 @@ impl Compiled for ThisProgram {
     fn each_step(&self, visit: &mut impl VisitSteps) {
         if let Some(block) = PROGRAM.blocks.first() {
             let steps = visit.choose(0, block);
-            if steps & 15 != 0 {
-                if steps & 1 != 0 && let Some(step) = PROGRAM.steps.first() {
-                    visit.step(step);
-                }
+            if steps & 1 != 0 && let Some(step) = PROGRAM.steps.first() {
+                visit.step(step);
+            } else {
                 if steps & 2 != 0 && let Some(step) = PROGRAM.steps.get(1) {
                     visit.step(step);
                 }
-                if steps & 4 != 0 && let Some(step) = PROGRAM.steps.get(2) {
-                    visit.step(step);
-                }
+            }
+            if steps & 4 != 0 && let Some(step) = PROGRAM.steps.get(2) {
+                visit.step(step);
             }
             visit.leave(0);
         }
@@ -841,113 +848,192 @@ impl Compiled for ThisProgram {
             if steps & 15 != 0 {
                 if steps & 1 != 0 && let Some(step) = PROGRAM.steps.get(4) {
                     visit.step(step);
+                } else {
+                    if steps & 2 != 0 && let Some(step) = PROGRAM.steps.get(5) {
+                        visit.step(step);
+                    } else {
+                        if steps & 4 != 0 && let Some(step) = PROGRAM.steps.get(6) {
+                            visit.step(step);
+                        } else {
+                            if steps & 8 != 0 && let Some(step) = PROGRAM.steps.get(7) {
+                                visit.step(step);
+                            }
+                        }
+                    }
                 }
-                if steps & 2 != 0 && let Some(step) = PROGRAM.steps.get(5) {
-                    visit.step(step);
-                }
-                if steps & 4 != 0 && let Some(step) = PROGRAM.steps.get(6) {
-                    visit.step(step);
-                }
-                if steps & 8 != 0 && let Some(step) = PROGRAM.steps.get(7) {
-                    visit.step(step);
-                }
-            }
-            if steps & 240 != 0 {
-                if steps & 16 != 0 && let Some(step) = PROGRAM.steps.get(8) {
-                    visit.step(step);
-                }
-                if steps & 32 != 0 && let Some(step) = PROGRAM.steps.get(9) {
-                    visit.step(step);
-                }
-                if steps & 64 != 0 && let Some(step) = PROGRAM.steps.get(10) {
-                    visit.step(step);
-                }
-                if steps & 128 != 0 && let Some(step) = PROGRAM.steps.get(11) {
-                    visit.step(step);
-                }
-            }
-            if steps & 3840 != 0 {
-                if steps & 256 != 0 && let Some(step) = PROGRAM.steps.get(12) {
-                    visit.step(step);
-                }
-                if steps & 512 != 0 && let Some(step) = PROGRAM.steps.get(13) {
-                    visit.step(step);
-                }
-                if steps & 1024 != 0 && let Some(step) = PROGRAM.steps.get(14) {
-                    visit.step(step);
-                }
-                if steps & 2048 != 0 && let Some(step) = PROGRAM.steps.get(15) {
-                    visit.step(step);
-                }
-            }
-            if steps & 61440 != 0 {
-                if steps & 4096 != 0 && let Some(step) = PROGRAM.steps.get(16) {
-                    visit.step(step);
-                }
-                if steps & 8192 != 0 && let Some(step) = PROGRAM.steps.get(17) {
-                    visit.step(step);
-                }
-                if steps & 16384 != 0 && let Some(step) = PROGRAM.steps.get(18) {
-                    visit.step(step);
-                }
-                if steps & 32768 != 0 && let Some(step) = PROGRAM.steps.get(19) {
-                    visit.step(step);
-                }
-            }
-            if steps & 983040 != 0 {
-                if steps & 65536 != 0 && let Some(step) = PROGRAM.steps.get(20) {
-                    visit.step(step);
-                }
-                if steps & 131072 != 0 && let Some(step) = PROGRAM.steps.get(21) {
-                    visit.step(step);
-                }
-                if steps & 262144 != 0 && let Some(step) = PROGRAM.steps.get(22) {
-                    visit.step(step);
-                }
-                if steps & 524288 != 0 && let Some(step) = PROGRAM.steps.get(23) {
-                    visit.step(step);
-                }
-            }
-            if steps & 15728640 != 0 {
-                if steps & 1048576 != 0 && let Some(step) = PROGRAM.steps.get(24) {
-                    visit.step(step);
-                }
-                if steps & 2097152 != 0 && let Some(step) = PROGRAM.steps.get(25) {
-                    visit.step(step);
-                }
-                if steps & 4194304 != 0 && let Some(step) = PROGRAM.steps.get(26) {
-                    visit.step(step);
-                }
-                if steps & 8388608 != 0 && let Some(step) = PROGRAM.steps.get(27) {
-                    visit.step(step);
-                }
-            }
-            if steps & 251658240 != 0 {
-                if steps & 16777216 != 0 && let Some(step) = PROGRAM.steps.get(28) {
-                    visit.step(step);
-                }
-                if steps & 33554432 != 0 && let Some(step) = PROGRAM.steps.get(29) {
-                    visit.step(step);
-                }
-                if steps & 67108864 != 0 && let Some(step) = PROGRAM.steps.get(30) {
-                    visit.step(step);
-                }
-                if steps & 134217728 != 0 && let Some(step) = PROGRAM.steps.get(31) {
-                    visit.step(step);
-                }
-            }
-            if steps & 4026531840 != 0 {
-                if steps & 268435456 != 0 && let Some(step) = PROGRAM.steps.get(32) {
-                    visit.step(step);
-                }
-                if steps & 536870912 != 0 && let Some(step) = PROGRAM.steps.get(33) {
-                    visit.step(step);
-                }
-                if steps & 1073741824 != 0 && let Some(step) = PROGRAM.steps.get(34) {
-                    visit.step(step);
-                }
-                if steps & 2147483648 != 0 && let Some(step) = PROGRAM.steps.get(35) {
-                    visit.step(step);
+            } else {
+                if steps & 240 != 0 {
+                    if steps & 16 != 0 && let Some(step) = PROGRAM.steps.get(8) {
+                        visit.step(step);
+                    } else {
+                        if steps & 32 != 0 && let Some(step) = PROGRAM.steps.get(9) {
+                            visit.step(step);
+                        } else {
+                            if steps & 64 != 0 && let Some(step) = PROGRAM.steps.get(10)
+                            {
+                                visit.step(step);
+                            } else {
+                                if steps & 128 != 0
+                                    && let Some(step) = PROGRAM.steps.get(11)
+                                {
+                                    visit.step(step);
+                                }
+                            }
+                        }
+                    }
+                } else {
+                    if steps & 3840 != 0 {
+                        if steps & 256 != 0 && let Some(step) = PROGRAM.steps.get(12) {
+                            visit.step(step);
+                        } else {
+                            if steps & 512 != 0 && let Some(step) = PROGRAM.steps.get(13)
+                            {
+                                visit.step(step);
+                            } else {
+                                if steps & 1024 != 0
+                                    && let Some(step) = PROGRAM.steps.get(14)
+                                {
+                                    visit.step(step);
+                                } else {
+                                    if steps & 2048 != 0
+                                        && let Some(step) = PROGRAM.steps.get(15)
+                                    {
+                                        visit.step(step);
+                                    }
+                                }
+                            }
+                        }
+                    } else {
+                        if steps & 61440 != 0 {
+                            if steps & 4096 != 0
+                                && let Some(step) = PROGRAM.steps.get(16)
+                            {
+                                visit.step(step);
+                            } else {
+                                if steps & 8192 != 0
+                                    && let Some(step) = PROGRAM.steps.get(17)
+                                {
+                                    visit.step(step);
+                                } else {
+                                    if steps & 16384 != 0
+                                        && let Some(step) = PROGRAM.steps.get(18)
+                                    {
+                                        visit.step(step);
+                                    } else {
+                                        if steps & 32768 != 0
+                                            && let Some(step) = PROGRAM.steps.get(19)
+                                        {
+                                            visit.step(step);
+                                        }
+                                    }
+                                }
+                            }
+                        } else {
+                            if steps & 983040 != 0 {
+                                if steps & 65536 != 0
+                                    && let Some(step) = PROGRAM.steps.get(20)
+                                {
+                                    visit.step(step);
+                                } else {
+                                    if steps & 131072 != 0
+                                        && let Some(step) = PROGRAM.steps.get(21)
+                                    {
+                                        visit.step(step);
+                                    } else {
+                                        if steps & 262144 != 0
+                                            && let Some(step) = PROGRAM.steps.get(22)
+                                        {
+                                            visit.step(step);
+                                        } else {
+                                            if steps & 524288 != 0
+                                                && let Some(step) = PROGRAM.steps.get(23)
+                                            {
+                                                visit.step(step);
+                                            }
+                                        }
+                                    }
+                                }
+                            } else {
+                                if steps & 15728640 != 0 {
+                                    if steps & 1048576 != 0
+                                        && let Some(step) = PROGRAM.steps.get(24)
+                                    {
+                                        visit.step(step);
+                                    } else {
+                                        if steps & 2097152 != 0
+                                            && let Some(step) = PROGRAM.steps.get(25)
+                                        {
+                                            visit.step(step);
+                                        } else {
+                                            if steps & 4194304 != 0
+                                                && let Some(step) = PROGRAM.steps.get(26)
+                                            {
+                                                visit.step(step);
+                                            } else {
+                                                if steps & 8388608 != 0
+                                                    && let Some(step) = PROGRAM.steps.get(27)
+                                                {
+                                                    visit.step(step);
+                                                }
+                                            }
+                                        }
+                                    }
+                                } else {
+                                    if steps & 251658240 != 0 {
+                                        if steps & 16777216 != 0
+                                            && let Some(step) = PROGRAM.steps.get(28)
+                                        {
+                                            visit.step(step);
+                                        } else {
+                                            if steps & 33554432 != 0
+                                                && let Some(step) = PROGRAM.steps.get(29)
+                                            {
+                                                visit.step(step);
+                                            } else {
+                                                if steps & 67108864 != 0
+                                                    && let Some(step) = PROGRAM.steps.get(30)
+                                                {
+                                                    visit.step(step);
+                                                } else {
+                                                    if steps & 134217728 != 0
+                                                        && let Some(step) = PROGRAM.steps.get(31)
+                                                    {
+                                                        visit.step(step);
+                                                    }
+                                                }
+                                            }
+                                        }
+                                    } else {
+                                        if steps & 4026531840 != 0 {
+                                            if steps & 268435456 != 0
+                                                && let Some(step) = PROGRAM.steps.get(32)
+                                            {
+                                                visit.step(step);
+                                            } else {
+                                                if steps & 536870912 != 0
+                                                    && let Some(step) = PROGRAM.steps.get(33)
+                                                {
+                                                    visit.step(step);
+                                                } else {
+                                                    if steps & 1073741824 != 0
+                                                        && let Some(step) = PROGRAM.steps.get(34)
+                                                    {
+                                                        visit.step(step);
+                                                    } else {
+                                                        if steps & 2147483648 != 0
+                                                            && let Some(step) = PROGRAM.steps.get(35)
+                                                        {
+                                                            visit.step(step);
+                                                        }
+                                                    }
+                                                }
+                                            }
+                                        }
+                                    }
+                                }
+                            }
+                        }
+                    }
                 }
             }
             visit.leave(2);
@@ -971,7 +1057,7 @@ pub static NAMES: Names<'static> = Names {
 };
 grafcet_core::storage!(
     Storage { image : 13, numbers : 4, before : 5, before_scan : 5, fired : 1, passed :
-    0, stack : 2, stamps : 4, standings : 3, shown : 0, sets : 0, armed : 0 }
+    0, stack : 2, stamps : 4, since : 1, standings : 3, shown : 0, sets : 0, armed : 0 }
 );
 const _: () = assert!(Storage::is_sized_for(& PROGRAM));
 /// The plants, with the wires between their images and the controller's.
@@ -992,6 +1078,7 @@ pub static PLANTS: [PlantTables; 1] = [
                 outside: Run { start: 9, len: 1 },
                 numbers: 4,
                 stamps: 4,
+                since: 1,
                 stack: 2,
                 fired: 1,
                 passed: 1,
@@ -1381,6 +1468,7 @@ pub static PLANTS: [PlantTables; 1] = [
                     on_event: Run::EMPTY,
                     orders: Run::EMPTY,
                     activated: None,
+                    since: None,
                 },
                 Duties {
                     stored: Run { start: 0, len: 1 },
@@ -1389,6 +1477,7 @@ pub static PLANTS: [PlantTables; 1] = [
                     on_event: Run { start: 0, len: 1 },
                     orders: Run::EMPTY,
                     activated: Some(Stamp(0)),
+                    since: Some(Since(0)),
                 },
                 Duties {
                     stored: Run::EMPTY,
@@ -1397,6 +1486,7 @@ pub static PLANTS: [PlantTables; 1] = [
                     on_event: Run::EMPTY,
                     orders: Run { start: 0, len: 1 },
                     activated: None,
+                    since: None,
                 },
             ],
             macros: &[
@@ -1669,15 +1759,19 @@ pub static PLANTS: [PlantTables; 1] = [
                 Term { word: 0, mask: 0, state: 0 },
             ],
             timers: &[
-                Timer {
+                Timer::Any {
                     step: Bit(64),
                     activated: Stamp(0),
                     preset: Preset::Constant(500),
                 },
-                Timer {
+                Timer::Any {
                     step: Bit(64),
                     activated: Stamp(0),
                     preset: Preset::Number(Number(3), Unit::Seconds),
+                },
+                Timer::Own {
+                    since: Since(0),
+                    preset: Preset::Constant(10),
                 },
             ],
             codes: &[

@@ -1,6 +1,6 @@
 //! Conditions, values, and the edges and timers that remember.
 
-use super::{Bit, Number, Run, Stamp};
+use super::{Bit, Number, Run, Since, Stamp};
 
 /// A run of [`Op`]s in [`Program::ops`](super::Program::ops) that leaves one value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -56,13 +56,37 @@ pub enum Rest {
 
 /// `T/Xn/preset` for a step (or macro step) bit standing alone.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub struct Timer {
-    /// The step or macro step.
-    pub step: Bit,
-    /// Its time of activation.
-    pub activated: Stamp,
+pub enum Timer {
+    /// One that is asked for only while the step is active: in its actions, and in the triggers of transitions that it
+    /// enables. Behind [`Timer::LONGEST_OWN_MS`] it may not tell how long that is.
+    Own {
+        /// Since when it is.
+        since: Since,
+        /// The time that has to pass.
+        preset: Preset,
+    },
+    /// Any other.
+    Any {
+        /// The step or macro step.
+        step: Bit,
+        /// Its time of activation.
+        activated: Stamp,
+        /// The time that has to pass.
+        preset: Preset,
+    },
+}
+
+impl Timer {
+    /// No preset of a [`Timer::Own`] is longer, in ms: 24 days, more than any number of ms is.
+    pub const LONGEST_OWN_MS: u32 = 1 << 31;
+
     /// The time that has to pass.
-    pub preset: Preset,
+    #[must_use]
+    pub const fn preset(self) -> Preset {
+        match self {
+            Timer::Own { preset, .. } | Timer::Any { preset, .. } => preset,
+        }
+    }
 }
 
 /// The preset of a step's timer.

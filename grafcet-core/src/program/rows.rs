@@ -1,6 +1,6 @@
 //! The rows of the tables: graphs, steps, transitions, orders and statements.
 
-use super::{Bit, Code, Condition, Number, Run, Sequel, Slot, Stamp};
+use super::{Bit, Code, Condition, Number, Run, Sequel, Since, Slot, Stamp};
 
 /// A graph: a run of steps, a run of transitions and the words of its situation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -110,6 +110,8 @@ pub struct Duties {
     pub orders: Run,
     /// Where its time of activation is kept, when a timer reads it.
     pub activated: Option<Stamp>,
+    /// The same for timers that are asked for only while it is active.
+    pub since: Option<Since>,
 }
 
 /// A macro step: its bit is True while any step of its expansion is active.

@@ -54,6 +54,7 @@ impl Program<'_> {
         while i < self.duties.len() {
             let row = &self.duties[i];
             if row.activated.is_some()
+                || row.since.is_some()
                 || row.on_activation.len > 0
                 || row.on_deactivation.len > 0
                 || row.on_event.len > 0

@@ -1,6 +1,6 @@
 //! Conditions, and the stack that their code needs.
 
-use crate::program::{Bit, Code, Condition, Op, Preset, Program, Rest, Term};
+use crate::program::{Bit, Code, Condition, Op, Preset, Program, Rest, Term, Timer};
 
 impl Program<'_> {
     pub(super) const fn terms_are_sound(&self) -> bool {
@@ -63,17 +63,33 @@ impl Program<'_> {
     pub(super) const fn timers_are_sound(&self) -> bool {
         let mut i = 0;
         while i < self.timers.len() {
-            let timer = &self.timers[i];
-            let preset = match timer.preset {
-                Preset::Constant(_) => true,
-                Preset::Number(number, _) => number.0 < self.layout.numbers,
+            let sound = match self.timers[i] {
+                Timer::Own { since, preset } => {
+                    since.0 < self.layout.since && self.preset_is_sound(preset)
+                }
+                Timer::Any {
+                    step,
+                    activated,
+                    preset,
+                } => {
+                    self.bit_is_sound(step)
+                        && self.stamp_is_sound(activated)
+                        && self.preset_is_sound(preset)
+                }
             };
-            if !preset || !self.bit_is_sound(timer.step) || !self.stamp_is_sound(timer.activated) {
+            if !sound {
                 return false;
             }
             i += 1;
         }
         true
+    }
+
+    const fn preset_is_sound(&self, preset: Preset) -> bool {
+        match preset {
+            Preset::Constant(_) => true,
+            Preset::Number(number, _) => number.0 < self.layout.numbers,
+        }
     }
 
     pub(super) const fn codes_are_sound(&self) -> bool {

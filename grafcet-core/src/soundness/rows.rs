@@ -72,7 +72,11 @@ impl Program<'_> {
                 && row.on_deactivation.is_within(self.stored.len())
                 && row.on_event.is_within(self.events.len())
                 && row.orders.is_within(self.orders.len())
-                && self.optional_stamp_is_sound(row.activated);
+                && self.optional_stamp_is_sound(row.activated)
+                && match row.since {
+                    Some(since) => since.0 < self.layout.since,
+                    None => true,
+                };
             // Row 0 is never looked at.
             if !sound || (i == 0 && does_something(row)) {
                 return false;
@@ -407,4 +411,5 @@ const fn does_something(row: &Duties) -> bool {
         || row.on_event.len > 0
         || row.orders.len > 0
         || row.activated.is_some()
+        || row.since.is_some()
 }

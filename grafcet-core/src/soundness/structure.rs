@@ -70,7 +70,8 @@ impl Program<'_> {
             let masks = &self.masks[block.masks as usize];
             let duties = &self.duties[step.duties as usize];
             if (step.momentary_count > 0) != (block.momentary & mask != 0)
-                || duties.activated.is_some() != (masks.timed & mask != 0)
+                || (duties.activated.is_some() || duties.since.is_some())
+                    != (masks.timed & mask != 0)
                 || (duties.stored.len > 0) != (masks.stored & mask != 0)
                 || (duties.on_activation.len > 0) != (masks.on_activation & mask != 0)
                 || (duties.on_deactivation.len > 0) != (masks.on_deactivation & mask != 0)

@@ -8,7 +8,7 @@ use self::good::{FIVE, GOOD, across, all, only, run, within};
 use super::{Unsound, demand};
 use crate::program::{
     Assignment, Bit, Code, Condition, Edge, Evolution, Forced, Layout, Number, Op, Preset, Program,
-    Rest, Run, Seen, Slot, Stamp, Step, Term, Unit, Watch,
+    Rest, Run, Seen, Since, Slot, Stamp, Step, Term, Timer, Unit, Watch,
 };
 
 const _: () = demand(&GOOD);
@@ -151,6 +151,7 @@ fn what_steps_do_stays_within_the_tables() {
         duties[2].on_event = run(1, 1) => Duties;
         duties[3].orders = run(2, 1) => Duties;
         duties[1].activated = Some(Stamp(4)) => Duties;
+        duties[1].since = Some(Since(2)) => Duties;
     }
 }
 
@@ -163,6 +164,7 @@ fn the_first_row_of_what_steps_do_does_nothing() {
         duties[0].on_event = run(0, 1) => Duties;
         duties[0].orders = run(0, 1) => Duties;
         duties[0].activated = Some(Stamp(0)) => Duties;
+        duties[0].since = Some(Since(0)) => Duties;
     }
 }
 
@@ -339,7 +341,8 @@ fn a_storage_fits_exactly_its_program() {
     /// Whether storage of these lengths fits.
     macro_rules! fits {
         ($image:literal $numbers:literal $before:literal $before_scan:literal $fired:literal $passed:literal
-         $stack:literal $stamps:literal $standings:literal $shown:literal $sets:literal $armed:literal) => {{
+         $stack:literal $stamps:literal $since:literal $standings:literal $shown:literal $sets:literal
+         $armed:literal) => {{
             crate::storage!(Storage {
                 image: $image,
                 numbers: $numbers,
@@ -349,6 +352,7 @@ fn a_storage_fits_exactly_its_program() {
                 passed: $passed,
                 stack: $stack,
                 stamps: $stamps,
+                since: $since,
                 standings: $standings,
                 shown: $shown,
                 sets: $sets,
@@ -357,17 +361,18 @@ fn a_storage_fits_exactly_its_program() {
             Storage::is_sized_for(&GOOD)
         }};
     }
-    assert!(fits!(13 4 5 5 1 0 2 4 3 0 0 4));
-    assert!(!fits!(12 4 5 5 1 0 2 4 3 0 0 4));
-    assert!(!fits!(13 3 5 5 1 0 2 4 3 0 0 4));
-    assert!(!fits!(13 4 4 5 1 0 2 4 3 0 0 4));
-    assert!(!fits!(13 4 5 4 1 0 2 4 3 0 0 4));
-    assert!(!fits!(13 4 5 5 2 0 2 4 3 0 0 4));
-    assert!(!fits!(13 4 5 5 1 1 2 4 3 0 0 4));
-    assert!(!fits!(13 4 5 5 1 0 1 4 3 0 0 4));
-    assert!(!fits!(13 4 5 5 1 0 2 5 3 0 0 4));
-    assert!(!fits!(13 4 5 5 1 0 2 4 2 0 0 4));
-    assert!(!fits!(13 4 5 5 1 0 2 4 3 1 0 4));
-    assert!(!fits!(13 4 5 5 1 0 2 4 3 0 1 4));
-    assert!(!fits!(13 4 5 5 1 0 2 4 3 0 0 3));
+    assert!(fits!(13 4 5 5 1 0 2 4 2 3 0 0 4));
+    assert!(!fits!(12 4 5 5 1 0 2 4 2 3 0 0 4));
+    assert!(!fits!(13 3 5 5 1 0 2 4 2 3 0 0 4));
+    assert!(!fits!(13 4 4 5 1 0 2 4 2 3 0 0 4));
+    assert!(!fits!(13 4 5 4 1 0 2 4 2 3 0 0 4));
+    assert!(!fits!(13 4 5 5 2 0 2 4 2 3 0 0 4));
+    assert!(!fits!(13 4 5 5 1 1 2 4 2 3 0 0 4));
+    assert!(!fits!(13 4 5 5 1 0 1 4 2 3 0 0 4));
+    assert!(!fits!(13 4 5 5 1 0 2 5 2 3 0 0 4));
+    assert!(!fits!(13 4 5 5 1 0 2 4 1 3 0 0 4));
+    assert!(!fits!(13 4 5 5 1 0 2 4 2 2 0 0 4));
+    assert!(!fits!(13 4 5 5 1 0 2 4 2 3 1 0 4));
+    assert!(!fits!(13 4 5 5 1 0 2 4 2 3 0 1 4));
+    assert!(!fits!(13 4 5 5 1 0 2 4 2 3 0 0 3));
 }

@@ -2,9 +2,9 @@
 
 use grafcet_core::program::{Graph, Sequel, Step};
 
-use super::activity::Activity;
 use super::rows::Rows;
 use super::work::{Cpu, Kind, Work};
+use grafcet_compiler::activity::Activity;
 
 /// What is asked for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -180,7 +180,9 @@ impl Acting<'_> {
             .and_then(|step| self.rows.duties(step))
             .filter(|_| part != Part::End)
             .map_or(Work::NONE, |duties| {
-                let stamp = Work::of(Kind::Stamp, usize::from(duties.activated.is_some()));
+                let stamps =
+                    usize::from(duties.activated.is_some()) + usize::from(duties.since.is_some());
+                let stamp = Work::of(Kind::Stamp, stamps);
                 self.rows.visit(stamp) + self.rows.visit(self.rows.stored(duties.on_activation))
             });
         entered + self.stay(place, part)

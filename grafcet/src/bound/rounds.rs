@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use grafcet_core::engine::MAX_ROUNDS;
 use grafcet_core::program::{Bit, Evolution, Program, Watch};
 
-use super::activity::{Activity, Firing};
+use grafcet_compiler::activity::{Activity, Firing};
 
 /// The rounds of one scan.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

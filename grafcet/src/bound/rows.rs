@@ -3,7 +3,7 @@
 use grafcet_compiler::emit;
 use grafcet_core::program::{
     Assignment, Code, Condition, Crossing, Duties, Graph, Momentary, Op, Order, Program, Rest, Run,
-    Step, Stored, Transition, Watch,
+    Step, Stored, Timer, Transition, Watch,
 };
 
 use super::work::{Kind, Work};
@@ -48,7 +48,7 @@ impl<'p> Rows<'p> {
         let code = |row: u16| self.program.codes.get(usize::from(row)).copied();
         let rest = match condition.rest {
             Rest::None => Work::NONE,
-            Rest::Elapsed(_) | Rest::Running(_) => timer(known),
+            Rest::Elapsed(row) | Rest::Running(row) => self.timer(row, known),
             Rest::Code(row) => code(row).map_or(Work::NONE, |code| self.code(code)),
             Rest::Logic(row) => code(row).map_or(Work::NONE, |code| self.logic(code, known)),
         };
@@ -59,7 +59,8 @@ impl<'p> Rows<'p> {
     fn code(self, code: Code) -> Work {
         let op = |op: &Op| {
             let beside = match op {
-                Op::Elapsed(_) | Op::StepTimer { .. } => timer(false),
+                Op::Elapsed(row) => self.timer(*row, false),
+                Op::StepTimer { .. } => Work::one(Kind::TimerLooped),
                 Op::Multiply | Op::Divide | Op::Modulo => Work::one(Kind::Product),
                 _ => Work::NONE,
             };
@@ -78,12 +79,21 @@ impl<'p> Rows<'p> {
         ops.map(|(place, op)| {
             let known = known && place < KNOWN;
             let beside = match op {
-                Op::Elapsed(_) => timer(known),
+                Op::Elapsed(row) => self.timer(*row, known),
                 _ => Work::NONE,
             };
             Work::one(either(known, Kind::Logic, Kind::LogicLooped)) + beside
         })
         .sum()
+    }
+
+    /// A timer on a step.
+    fn timer(self, row: u16, known: bool) -> Work {
+        let kind = match self.program.timers.get(usize::from(row)) {
+            Some(Timer::Own { .. }) => either(known, Kind::OwnTimer, Kind::OwnTimerLooped),
+            _ => either(known, Kind::Timer, Kind::TimerLooped),
+        };
+        Work::one(kind)
     }
 
     fn operations(self, code: Code) -> &'p [Op] {
@@ -255,10 +265,6 @@ fn codes(program: &Program<'_>) -> usize {
         .iter()
         .filter(|watch| !matches!(watch, Watch::Edge { .. } | Watch::Value { .. }));
     conditions + stored.count() + delays.count()
-}
-
-fn timer(known: bool) -> Work {
-    Work::one(either(known, Kind::Timer, Kind::TimerLooped))
 }
 
 fn either(known: bool, one: Kind, looped: Kind) -> Kind {

@@ -84,9 +84,12 @@ kinds! {
     /// A masked word is compared.
     Term 25 23 18
     TermLooped 75 150 54
-    /// A timer on a step is looked at.
-    Timer 270 90 72
-    TimerLooped 315 180 158
+    /// A timer on a step is looked at, one that is asked for only while the step is active.
+    OwnTimer 150 120 110
+    OwnTimerLooped 300 250 200
+    /// Any other.
+    Timer 270 180 150
+    TimerLooped 450 400 300
     /// An operation on Booleans.
     Logic 280 18 15
     LogicLooped 516 90 68

@@ -1,12 +1,20 @@
-//! The engine three times: as it walks over small programs; with what it keeps of large ones, the sets of words and what
-//! is armed in each; and without what it keeps for whoever looks on.
+//! The engine four times: as it loops over programs; with what it keeps of large ones, the sets of words and what is
+//! armed in each; the same without what it keeps for whoever looks on; and as it is written out in the image of a small
+//! one.
 
+use grafcet_compiler::emit::{Walk, Word};
 use grafcet_core::Engine;
-use grafcet_core::program::{Layout, Program, Slot};
+use grafcet_core::program::{Bit, Compiled, Layout, Program, Slot, VisitSteps};
 use grafcet_core::vectors::Vectors;
 
-/// The same tables, as they are, with sets, and with sets for an image in which nobody looks on.
-pub struct Tables<'t>([Program<'t>; 3]);
+/// A host may leap over any time, an image scans periodically: so far at most, in ms.
+const LEAP_MS: u64 = 1 << 29;
+
+/// The same tables, as they are, with sets, with sets for an image in which nobody looks on, and with the walk over them.
+pub struct Tables<'t> {
+    looped: [Program<'t>; 3],
+    walk: Walk,
+}
 
 impl<'t> Tables<'t> {
     pub fn of(tables: Program<'t>) -> Self {
@@ -17,85 +25,163 @@ impl<'t> Tables<'t> {
             ..tables.layout
         };
         let large = Program { layout, ..tables };
-        Tables([tables, large, large.unwatched()])
+        Tables {
+            looped: [tables, large, large.unwatched()],
+            walk: Walk::of(&tables),
+        }
     }
 }
 
-/// Three engines that are given the same.
-pub struct Twins<'t>([Engine<&'t Program<'t>, Vectors>; 3]);
+/// A program that is walked over as the source of its image does it.
+#[derive(Clone, Copy, Debug)]
+struct WrittenOut<'t> {
+    program: &'t Program<'t>,
+    walk: &'t Walk,
+}
+
+impl Compiled for WrittenOut<'_> {
+    const UNROLLED: bool = true;
+
+    fn program(&self) -> &Program<'_> {
+        self.program
+    }
+
+    fn each_step(&self, visit: &mut impl VisitSteps) {
+        let blocks = self.program.blocks.iter().zip(&self.walk.words);
+        for (place, (block, word)) in blocks.enumerate() {
+            let steps = visit.choose(place, block);
+            if !self.visit(visit, word, &word.alone, steps) {
+                for chain in &word.chains {
+                    self.visit(visit, word, chain, steps);
+                }
+            }
+            visit.leave(place);
+        }
+    }
+}
+
+impl WrittenOut<'_> {
+    /// Visits the first of these steps that is among those, if any is.
+    fn visit(&self, visit: &mut impl VisitSteps, word: &Word, these: &[u32], steps: u32) -> bool {
+        let bit = these.iter().find(|bit| steps >> **bit & 1 != 0);
+        if let Some(bit) = bit {
+            visit.step(&self.program.steps[usize::from(word.first) + *bit as usize]);
+        }
+        bit.is_some()
+    }
+}
+
+/// Does the same with all engines.
+macro_rules! each {
+    ($twins:ident, $engine:ident => $what:expr) => {{
+        for $engine in &mut $twins.looped {
+            $what;
+        }
+        if let Some($engine) = &mut $twins.written_out {
+            $what;
+        }
+    }};
+}
+
+/// Engines that are given the same.
+pub struct Twins<'t> {
+    looped: [Engine<&'t Program<'t>, Vectors>; 3],
+    /// None behind a leap over a long time.
+    written_out: Option<Engine<WrittenOut<'t>, Vectors>>,
+    time_ms: u64,
+}
 
 impl<'t> Twins<'t> {
     pub fn new(tables: &'t Tables<'t>) -> Self {
-        Twins(
-            tables
-                .0
+        let program = &tables.looped[0];
+        let written_out = WrittenOut {
+            program,
+            walk: &tables.walk,
+        };
+        Twins {
+            looped: tables
+                .looped
                 .each_ref()
                 .map(|tables| Engine::new(tables, Vectors::new(tables))),
-        )
+            written_out: Some(Engine::new(written_out, Vectors::new(program))),
+            time_ms: 0,
+        }
     }
 
     /// The one whose traces are compared.
     pub fn first(&self) -> &Engine<&'t Program<'t>, Vectors> {
-        &self.0[0]
+        &self.looped[0]
     }
 
     /// Whether the latest scan left the same in all.
     pub fn agree(&self) -> bool {
-        let [one, other, unwatched] = &self.0;
-        one.image() == other.image()
-            && one.numbers() == other.numbers()
-            && one.image() == unwatched.image()
-            && one.numbers() == unwatched.numbers()
-            && one.fired().eq(other.fired())
-            && (0..one.program().graphs.len()).all(|graph| {
-                one.graph_changed(graph) == other.graph_changed(graph)
-                    && one.steps_before(graph).eq(other.steps_before(graph))
-                    && one.graph_forced(graph) == other.graph_forced(graph)
-            })
+        let [one, other, unwatched] = &self.looped;
+        let written_out = self.written_out.as_ref();
+        let outcome = (one.image(), one.numbers());
+        are_alike(one, other)
+            && outcome == (unwatched.image(), unwatched.numbers())
+            && written_out.is_none_or(|other| are_alike(one, other))
     }
 
     pub fn restore(&mut self, slot: Slot, value: i32) -> bool {
-        self.0
-            .each_mut()
-            .map(|engine| engine.restore(slot, value))
-            .contains(&true)
+        let mut restored = false;
+        each!(self, engine => restored |= engine.restore(slot, value));
+        restored
     }
 
     pub fn set_recovered(&mut self, recovered: bool) {
-        for engine in &mut self.0 {
-            engine.set_recovered(recovered);
-        }
+        each!(self, engine => engine.set_recovered(recovered));
     }
 
     pub fn set_overruns(&mut self, overruns: u32) {
-        for engine in &mut self.0 {
-            engine.set_overruns(overruns);
-        }
+        each!(self, engine => engine.set_overruns(overruns));
     }
 
     pub fn set_parameter(&mut self, slot: Slot, value: i32) {
-        for engine in &mut self.0 {
-            engine.set_parameter(slot, value);
-        }
+        each!(self, engine => engine.set_parameter(slot, value));
     }
 
     pub fn sample(&mut self, slot: Slot, value: i32) {
-        for engine in &mut self.0 {
-            engine.sample(slot, value);
-        }
+        each!(self, engine => engine.sample(slot, value));
     }
 
     pub fn start(&mut self) {
-        for engine in &mut self.0 {
-            engine.start();
-        }
+        each!(self, engine => engine.start());
     }
 
     /// False when it was an idle scan for all.
     pub fn scan(&mut self, time_ms: u64) -> bool {
-        self.0
-            .each_mut()
-            .map(|engine| engine.scan(time_ms))
-            .contains(&true)
+        if time_ms - self.time_ms > LEAP_MS {
+            self.written_out = None;
+        }
+        self.time_ms = time_ms;
+        let mut scanned = false;
+        each!(self, engine => scanned |= engine.scan(time_ms));
+        scanned
     }
+}
+
+fn are_alike<P: Compiled, Q: Compiled>(
+    one: &Engine<P, Vectors>,
+    other: &Engine<Q, Vectors>,
+) -> bool {
+    let program = one.program();
+    one.numbers() == other.numbers()
+        && one.fired().eq(other.fired())
+        && (0..program.graphs.len()).all(|graph| {
+            one.graph_changed(graph) == other.graph_changed(graph)
+                && one.steps_before(graph).eq(other.steps_before(graph))
+                && one.graph_forced(graph) == other.graph_forced(graph)
+        })
+        && bits(one).eq(bits(other))
+}
+
+/// All Booleans, but for `System:first_scan` where nobody reads it: an image does not keep it then.
+fn bits<P: Compiled>(engine: &Engine<P, Vectors>) -> impl Iterator<Item = u32> + '_ {
+    let unread = match engine.program().reads_first_scan {
+        true => 0,
+        false => 1 << Bit::FIRST_SCAN.0,
+    };
+    let words = engine.image().iter().enumerate();
+    words.map(move |(place, word)| if place == 0 { word & !unread } else { *word })
 }

@@ -41,17 +41,18 @@ export class Calls {
   }
 
   /**
-   * Everything that can be executed from these functions on. Panicking functions are not entered.
+   * Everything that can be executed from these functions on. Panicking functions are not entered, and not those of
+   * `except`.
    *
    * @returns {{functions: Set<string>, panics: string[], pointers: string[]}} names; who calls which panicking
    *   function; who calls through pointers
    */
-  reach(roots) {
+  reach(roots, except = []) {
     const functions = new Set();
     const panics = new Set();
     const pointers = new Set();
     const open = [...roots];
-    const seen = new Set(open);
+    const seen = new Set([...open, ...except]);
     for (let of = open.pop(); of; of = open.pop()) {
       functions.add(of.name);
       const { to, indirect } = this.from(of);

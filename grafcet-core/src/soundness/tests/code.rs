@@ -12,10 +12,15 @@ fn a_conjunction_looks_at_the_image_and_for_what_can_be() {
 
 #[test]
 fn a_timer_on_a_step_knows_its_bit_its_stamp_and_its_preset() {
+    let preset = Preset::Constant(500);
+    let beyond = Preset::Number(Number(4), Unit::Milliseconds);
+    let (step, activated, since) = (Bit(64), Stamp(0), Since(1));
     refused! {
-        timers[0].step = Bit(416) => Timers;
-        timers[0].activated = Stamp(4) => Timers;
-        timers[1].preset = Preset::Number(Number(4), Unit::Milliseconds) => Timers;
+        timers[0] = Timer::Any { step: Bit(416), activated, preset } => Timers;
+        timers[0] = Timer::Any { step, activated: Stamp(4), preset } => Timers;
+        timers[0] = Timer::Any { step, activated, preset: beyond } => Timers;
+        timers[2] = Timer::Own { since: Since(2), preset } => Timers;
+        timers[2] = Timer::Own { since, preset: beyond } => Timers;
     }
 }
 
@@ -23,8 +28,8 @@ fn a_timer_on_a_step_knows_its_bit_its_stamp_and_its_preset() {
 fn a_condition_stays_within_the_tables() {
     refused! {
         conditions[2] = all(3, 1) => Conditions;
-        conditions[2] = only(Rest::Elapsed(2)) => Conditions;
-        conditions[2] = only(Rest::Running(2)) => Conditions;
+        conditions[2] = only(Rest::Elapsed(3)) => Conditions;
+        conditions[2] = only(Rest::Running(3)) => Conditions;
         conditions[2] = only(Rest::Code(3)) => Conditions;
         conditions[2] = only(Rest::Logic(3)) => Conditions;
     }
@@ -46,7 +51,7 @@ fn code_gets_by_with_its_stack() {
         ops[0] = Op::Not => Codes;
         ops[0] = Op::Number(Number(4)) => Codes;
         ops[0] = Op::Bit(Bit(416)) => Codes;
-        ops[5] = Op::Elapsed(2) => Codes;
+        ops[5] = Op::Elapsed(3) => Codes;
         ops[8] = Op::StepTimer { step: Bit(416), activated: Stamp(0), unit: Unit::Seconds } => Codes;
         ops[8] = Op::StepTimer { step: Bit(64), activated: Stamp(4), unit: Unit::Seconds } => Codes;
         codes[0] = Code { start: 0, len: 0 } => Codes;

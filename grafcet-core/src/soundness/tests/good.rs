@@ -3,8 +3,8 @@
 use crate::program::{
     Arm, Assignment, Bit, Block, Code, Condition, Course, Crossing, Dependent, Duties, Edge, Edges,
     Enclosing, Event, Evolution, Forced, Graph, Layout, Macro, Masks, Momentary, Number, NumberRow,
-    Op, Order, Preset, Program, Rest, Retained, Role, Run, Seen, Sequel, Slot, Stamp, Step, Stored,
-    Target, Term, Timer, Transition, Unit, Watch,
+    Op, Order, Preset, Program, Rest, Retained, Role, Run, Seen, Sequel, Since, Slot, Stamp, Step,
+    Stored, Target, Term, Timer, Transition, Unit, Watch,
 };
 
 pub(super) const fn run(start: u16, len: u16) -> Run {
@@ -48,6 +48,7 @@ const NOTHING: Duties = Duties {
     on_event: Run::EMPTY,
     orders: Run::EMPTY,
     activated: None,
+    since: None,
 };
 
 const GRAPH: Graph = Graph {
@@ -135,6 +136,7 @@ pub(super) const GOOD: Program<'static> = Program {
         outside: run(9, 1),
         numbers: 4,
         stamps: 4,
+        since: 2,
         stack: 2,
         fired: 1,
         passed: 0,
@@ -211,6 +213,7 @@ pub(super) const GOOD: Program<'static> = Program {
         NOTHING,
         Duties {
             activated: Some(Stamp(0)),
+            since: Some(Since(1)),
             ..NOTHING
         },
         Duties {
@@ -388,14 +391,18 @@ pub(super) const GOOD: Program<'static> = Program {
         },
     ],
     timers: &[
-        Timer {
+        Timer::Any {
             step: Bit(64),
             activated: Stamp(0),
             preset: Preset::Constant(500),
         },
-        Timer {
+        Timer::Any {
             step: Bit(192),
             activated: Stamp(3),
+            preset: Preset::Number(Number(3), Unit::Seconds),
+        },
+        Timer::Own {
+            since: Since(1),
             preset: Preset::Number(Number(3), Unit::Seconds),
         },
     ],

@@ -4,12 +4,15 @@
 //! with, or be given, leads there; of triggers only that two exclude each other is looked at. That is more than what
 //! happens, never less.
 
+mod together;
+mod trigger;
+
 use std::collections::BTreeMap;
 
 use grafcet_core::program::{Arm, Forced, Graph, Program};
 
-use super::together::Together;
-use super::trigger::Trigger;
+pub use self::together::Together;
+pub use self::trigger::Trigger;
 
 /// Steps of one graph beyond which all are taken to be active together: the relation has their square.
 const MOST_STEPS: usize = 2048;

@@ -1,0 +1,161 @@
+//! The walk over the steps of a small program, written out step by step.
+
+use std::ops::Range;
+
+use grafcet_core::program::{Graph, Program};
+use proc_macro2::{Literal, TokenStream};
+use quote::quote;
+
+use crate::activity::{Activity, Together};
+
+/// Steps that are passed over together.
+pub const FEW: usize = 4;
+/// So many are looked at one by one: mostly one of them is active.
+const SOME: usize = 2 * FEW;
+
+/// In which order steps are looked for.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Walk {
+    /// Of each word of situations.
+    pub words: Vec<Word>,
+}
+
+/// In which order the steps of a word are looked for, by the bits that are theirs.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Word {
+    /// Row of the step that is the lowest bit.
+    pub first: u16,
+    /// Steps that are never active together with another one of the word: behind an active one nobody looks for others.
+    pub alone: Vec<u32>,
+    /// Of all others, chains of which one step can be active at a time: behind an active one nobody looks for others
+    /// of its chain. Steps that can be active together stay in the order of the source.
+    pub chains: Vec<Vec<u32>>,
+}
+
+impl Walk {
+    /// Over the steps of a program.
+    #[must_use]
+    pub fn of(program: &Program<'_>) -> Self {
+        let graphs = program.graphs.iter().enumerate();
+        let words = graphs.flat_map(|(index, graph)| {
+            let together = Activity::of(program, index, graph).steps;
+            let count = usize::from(graph.steps.len);
+            let starts = (0..count).step_by(32);
+            let words = starts.map(|start| word(&together, graph, start..count.min(start + 32)));
+            words.collect::<Vec<_>>()
+        });
+        Walk {
+            words: words.collect(),
+        }
+    }
+}
+
+/// Of some steps of a graph, counted from its first one.
+fn word(together: &Together, graph: &Graph, steps: Range<usize>) -> Word {
+    let alone = |step: &usize| {
+        let mut others = steps.clone().filter(|other| other != step);
+        !others.any(|other| together.are(*step, other))
+    };
+    let (alone, others): (Vec<usize>, Vec<usize>) = steps.clone().partition(alone);
+    let bits = |steps: &Vec<usize>| steps.iter().map(|step| (step % 32) as u32).collect();
+    Word {
+        first: graph.steps.start + steps.start as u16,
+        alone: bits(&alone),
+        chains: chains(together, &others).iter().map(bits).collect(),
+    }
+}
+
+/// Parts steps into chains of which one step can be active at a time.
+fn chains(together: &Together, steps: &[usize]) -> Vec<Vec<usize>> {
+    let mut chains: Vec<Vec<usize>> = Vec::new();
+    for &step in steps {
+        let apart = |chain: &&Vec<usize>| chain.iter().all(|other| !together.are(step, *other));
+        let behind = chains.iter().rev().take_while(apart).count();
+        let place = chains.len() - behind;
+        match chains.get_mut(place) {
+            Some(chain) => chain.push(step),
+            None => chains.push(vec![step]),
+        }
+    }
+    chains
+}
+
+/// The items of `Compiled` with which a program is walked over row by row.
+pub(super) fn walks(program: &Program<'_>) -> TokenStream {
+    let words = Walk::of(program).words;
+    let words = words.iter().enumerate().map(|(place, word)| {
+        let chains = word.chains.iter();
+        let chains = chains.map(|steps| chain(word, steps, TokenStream::new()));
+        let visits = chain(word, &word.alone, chains.collect());
+        let row = row(place);
+        let place = Literal::usize_unsuffixed(place);
+        quote! {
+            if let Some(block) = PROGRAM.blocks.#row {
+                let steps = visit.choose(#place, block);
+                #visits
+                visit.leave(#place);
+            }
+        }
+    });
+    quote! {
+        const UNROLLED: bool = true;
+
+        #[inline(always)]
+        fn each_step(&self, visit: &mut impl VisitSteps) {
+            #(#words)*
+        }
+    }
+}
+
+/// Visits the one of some steps that is active; when there is none does something else.
+fn chain(word: &Word, steps: &[u32], otherwise: TokenStream) -> TokenStream {
+    let visit = |bit: &u32| {
+        let (mask, row) = (1 << bit, row(usize::from(word.first) + *bit as usize));
+        Choice {
+            mask,
+            condition: Some(quote!(&& let Some(step) = PROGRAM.steps.#row)),
+            action: quote!(visit.step(step);),
+        }
+    };
+    let visits: Vec<Choice> = steps.iter().map(visit).collect();
+    if visits.len() <= SOME {
+        return choose(&visits, otherwise);
+    }
+    // With one look several are passed over.
+    let groups = visits.chunks(FEW).map(|group| match group {
+        [only] => only.clone(),
+        group => Choice {
+            mask: group.iter().fold(0, |mask, visit| mask | visit.mask),
+            condition: None,
+            action: choose(group, TokenStream::new()),
+        },
+    });
+    choose(&groups.collect::<Vec<_>>(), otherwise)
+}
+
+/// What is done when a step of a mask is active.
+#[derive(Clone)]
+struct Choice {
+    mask: u32,
+    condition: Option<TokenStream>,
+    action: TokenStream,
+}
+
+/// Does the first that there is a step for.
+fn choose(choices: &[Choice], otherwise: TokenStream) -> TokenStream {
+    choices.iter().rev().fold(otherwise, |rest, choice| {
+        let mask = Literal::u32_unsuffixed(choice.mask);
+        let (condition, action) = (&choice.condition, &choice.action);
+        let rest = (!rest.is_empty()).then(|| quote!(else { #rest }));
+        quote!(if steps & #mask != 0 #condition { #action } #rest)
+    })
+}
+
+/// The call that gets a row.
+fn row(place: usize) -> TokenStream {
+    if place == 0 {
+        return quote!(first());
+    }
+    let place = Literal::usize_unsuffixed(place);
+    quote!(get(#place))
+}
