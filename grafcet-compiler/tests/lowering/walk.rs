@@ -6,9 +6,9 @@ use crate::graph;
 
 /// Of a graph of up to 32 steps.
 fn word(elements: &str) -> Word {
-    let words = Walk::of(&graph(elements).program()).words;
-    let [word] = <[Word; 1]>::try_from(words).expect("the steps of one word");
-    word
+    let mut words = Walk::of(&graph(elements).program()).words;
+    assert_eq!(words.len(), 1, "the steps of one word");
+    words.remove(0)
 }
 
 #[test]
