@@ -102,12 +102,12 @@ build_image() {
 
 # build_bench_image PROGRAM CPU OUT [CARGO-ARGUMENT...]: the program and the engine, bare, for counting instructions.
 # The path of PROGRAM is absolute. As CPU also `m0plus_flashed`: optimised as the image is that is flashed, which is all
-# in which the profiles differ.
+# in which the profiles differ, and keeping what its log tells.
 build_bench_image() {
     local program=$1 cpu=$2 out=$3 target=$TARGET optimised=() log
     # Floating point in registers would be of no use: there is none in the engine.
     case $cpu in
-        m0plus_flashed) optimised=(--config 'profile.bench-image.opt-level=2') ;;
+        m0plus_flashed) optimised=(--config 'profile.bench-image.opt-level=2' --features watched) ;;
         m4) target=thumbv7em-none-eabi ;;
         x86) target=x86_64-unknown-none ;;
     esac

@@ -39,8 +39,11 @@ fn build() -> Result<(), String> {
             Style::default(),
         ));
     };
-    let tables = &mut application.controller.tables;
-    *tables = tables.clone().unwatched();
+    // In C nobody keeps either what only a log asks for.
+    if env::var_os("CARGO_FEATURE_WATCHED").is_none() {
+        let tables = &mut application.controller.tables;
+        *tables = tables.clone().unwatched();
+    }
     let tables = emit::source(emit::program(application)).map_err(|error| error.to_string())?;
     let lanes = lanes(&application.controller.symbols.variables);
     let out = PathBuf::from(env::var_os("OUT_DIR").unwrap_or_default()).join("program.rs");
