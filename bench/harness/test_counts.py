@@ -71,15 +71,15 @@ class Large(unittest.TestCase):
 class Bounds(unittest.TestCase):
     """What is held against `grafcet bound`."""
 
-    def test_a_bound_holds_when_it_is_reached_and_up_to_four_times_that(self):
+    def test_a_bound_holds_when_it_is_reached_and_up_to_twice_that(self):
         self.assertIsNone(judge(100, 100))
-        self.assertIsNone(judge(100, 400))
+        self.assertIsNone(judge(100, 200))
 
     def test_a_bound_that_is_exceeded_is_wrong(self):
         self.assertEqual(judge(101, 100), "a scan took 101 instructions, 100 are stated as the most")
 
-    def test_a_bound_of_more_than_four_times_what_is_reached_is_wrong(self):
-        self.assertIn("more than 4 times", judge(100, 401))
+    def test_a_bound_of_more_than_twice_what_is_reached_is_wrong(self):
+        self.assertIn("more than 2 times", judge(100, 201))
 
     def test_every_input_is_seen_in_both_states_and_time_leaps(self):
         words, times = zip(*stimuli(3))

@@ -166,7 +166,7 @@ impl Acting<'_> {
             },
             _ => momentary(),
         };
-        let lasting = duties.map_or(Work::NONE, |it| rows.visit(rows.stored(it.stored))) + shown;
+        let lasting = duties.map_or(Work::NONE, |it| rows.visit(rows.lasting(it.stored))) + shown;
         match part {
             Part::Scan => orders + lasting,
             Part::Round => orders,

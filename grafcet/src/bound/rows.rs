@@ -167,12 +167,28 @@ impl<'p> Rows<'p> {
 
     /// Stored statements.
     pub fn stored(self, run: Run) -> Work {
-        self.each(run, self.program.stored, false, |row: &Stored, _| {
+        self.storing(run, false)
+    }
+
+    /// Those of a step that is active, of which one is known.
+    pub fn lasting(self, run: Run) -> Work {
+        self.storing(run, run.len == 1)
+    }
+
+    fn storing(self, run: Run, known: bool) -> Work {
+        self.each(run, self.program.stored, known, |row: &Stored, known| {
             let value = match &row.assignment {
-                Assignment::Bit(_, value) => Work::one(Kind::Bit) + self.condition(value, false),
-                Assignment::Number(_, value) => Work::one(Kind::Number) + self.code(*value),
+                Assignment::Bit(_, value) => {
+                    Work::one(either(known, Kind::Bit, Kind::BitLooped))
+                        + self.condition(value, known)
+                }
+                Assignment::Number(_, value) => {
+                    Work::one(either(known, Kind::Number, Kind::NumberLooped)) + self.code(*value)
+                }
             };
-            Work::one(Kind::Stored) + self.condition(&row.condition, false) + value
+            Work::one(either(known, Kind::Stored, Kind::StoredLooped))
+                + self.condition(&row.condition, known)
+                + value
         })
     }
 

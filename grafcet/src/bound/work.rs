@@ -67,109 +67,112 @@ macro_rules! kinds {
 
 kinds! {
     /// The scan itself.
-    Scan 538 225 429
+    Scan 265 253 48
     /// Outputs that are neighbours are collected.
-    Lane 88 36 225
+    Lane 36 36 343
     /// A round of a program that evolves `stable`.
-    Round 440 180 135
+    Round 173 180 144
     /// A word of situations is looked at on one of the walks over steps.
-    Word 108 98 50
+    Word 56 33 45
     /// Steps that sleep are passed over, four at a time.
-    Sleepers 22 70 57
+    Sleepers 40 36 21
     /// A step that is active, or was, is visited on one of the walks.
-    Visit 55 23 18
+    Visit 23 23 6
     /// A transition is looked at.
-    Arm 120 193 186
-    ArmLooped 440 400 144
+    Arm 66 67 62
+    ArmLooped 400 403 226
     /// A masked word is compared.
-    Term 25 23 18
-    TermLooped 75 150 54
+    Term 40 8 18
+    TermLooped 129 50 18
     /// A timer on a step is looked at, one that is asked for only while the step is active.
-    OwnTimer 150 120 110
-    OwnTimerLooped 300 250 200
+    OwnTimer 29 193 242
+    OwnTimerLooped 250 250 200
     /// Any other.
-    Timer 270 180 150
-    TimerLooped 450 400 300
+    Timer 60 139 150
+    TimerLooped 134 134 100
     /// An operation on Booleans.
-    Logic 280 18 15
-    LogicLooped 516 90 68
+    Logic 6 51 15
+    LogicLooped 147 73 31
     /// A piece of code on numbers.
-    Code 396 68 45
+    Code 68 68 45
     /// An operation of it.
-    Operation 192 68 54
-    OperationLooped 643 778 603
+    Operation 13 16 11
+    OperationLooped 896 912 650
     /// A multiplication or division, beside that.
-    Product 743 1085 100
+    Product 121 121 34
     /// A transition fires.
-    Fire 147 73 44
-    FireLooped 2355 2100 1567
+    Fire 25 25 6
+    FireLooped 700 700 526
     /// A step of a large graph is left or entered.
-    Link 275 250 200
+    Link 1121 1000 561
     /// A word of transitions is cleared, where there are several.
     Marks 140 140 113
     /// A word of transitions is searched for those that have fired.
-    Search 133 54 44
+    Search 54 54 44
     /// A momentary statement.
-    Momentary 30 27 23
-    MomentaryLooped 165 150 120
+    Momentary 44 55 32
+    MomentaryLooped 177 150 120
     /// A word of its variables.
-    Target 30 27 23
-    TargetLooped 60 120 45
+    Target 27 27 23
+    TargetLooped 120 120 45
     /// A statement that depends on momentary variables.
-    Dependent 149 396 108
+    Dependent 159 232 108
     /// A word of momentary variables is cleared and compared, where there are several.
-    Shown 220 200 150
+    Shown 200 200 150
     /// A stored statement.
-    Stored 128 90 72
+    Stored 30 30 24
+    StoredLooped 30 30 24
     /// It stores a Boolean.
-    Bit 421 1079 768
+    Bit 40 40 100
+    BitLooped 981 1335 999
     /// It stores a number.
-    Number 275 113 90
+    Number 67 67 54
+    NumberLooped 38 38 30
     /// An event is looked at.
-    Event 165 150 120
+    Event 150 150 120
     /// The time of an activation is noted.
-    Stamp 50 45 36
+    Stamp 15 15 53
     /// A word of inputs is searched for edges.
-    Edges 157 527 68
+    Edges 244 151 68
     /// An edge with a memory of its own.
-    Edge 275 875 700
-    EdgeLooped 248 225 180
+    Edge 875 875 700
+    EdgeLooped 75 75 60
     /// A timer with a memory of its own.
-    Delay 2328 1643 1692
-    DelayLooped 594 1200 432
+    Delay 1643 1767 2034
+    DelayLooped 1200 1124 432
     /// A Boolean that is worked out in every scan.
-    Value 220 200 150
-    ValueLooped 330 300 250
+    Value 200 200 150
+    ValueLooped 300 300 250
     /// A macro step.
-    Macro 124 250 90
+    Macro 84 110 90
     /// A step of its expansion.
-    Inner 60 76 45
+    Inner 26 26 15
     /// A graph takes its place in the hierarchy.
-    Graph 248 240 180
-    GraphLooped 2643 2728 2453
+    Graph 80 59 156
+    GraphLooped 2595 2678 2510
     /// A word of its situation is ordered through.
-    Ordered 1072 400 320
+    Ordered 134 134 107
     /// An order.
-    Order 275 250 200
-    OrderLooped 446 405 324
+    Order 84 84 200
+    OrderLooped 121 113 108
     /// A step that encloses a graph.
-    Enclosing 330 300 250
+    Enclosing 300 300 250
     /// A word of a situation is given.
-    Given 330 135 108
+    Given 45 102 62
     /// A word of situations is passed on the walks of a large program.
-    WordLooped 113 249 168
+    WordLooped 89 83 168
     /// A word of the sets of words of a large program.
-    Sets 220 200 160
+    Sets 200 200 160
     /// A step is visited in a large program.
-    VisitLooped 275 250 200
+    VisitLooped 250 250 200
     /// On a walk of a large program it is known what is armed in a word, and nothing more is done.
-    Followed 400 280 250
+    Followed 381 157 107
     /// A transition fires there.
-    FollowedFire 900 450 400
+    FollowedFire 450 449 401
     /// It is noted that it does.
-    FollowedMark 300 450 400
+    FollowedMark 450 450 400
     /// There is something to be shown.
-    FollowedShown 250 180 150
+    FollowedShown 180 180 150
 }
 
 /// How often what is done.
