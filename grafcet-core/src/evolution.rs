@@ -211,8 +211,9 @@ pub(crate) struct Marking<'e, P, M> {
     marked: Marked,
     /// The steps of the word that is being looked at.
     now: u32,
-    /// What the marked transitions do to it.
+    /// What the marked transitions make of it.
     next: u32,
+    /// Those that they enter, which stay active whoever leaves them (IEC 60848 rule 5).
     enters: u32,
     /// The first arm of the step that is being looked at.
     first_arm: u16,
