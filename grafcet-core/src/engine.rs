@@ -276,9 +276,12 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
         let tables = self.tables;
         let program = tables.program();
         // What changes from here on, or waits for its time, puts an end to this.
-        self.quiet_ms = if self.is_timed() { LONG } else { 1 };
         if self.is_timed() {
+            self.quiet_ms = LONG;
             self.pass_time(time_ms);
+        } else {
+            // Nobody asks for how long.
+            self.quiet_ms = 1;
         }
         if self.keeps_first_scan() {
             self.memory.clear_bit(Bit::FIRST_SCAN);

@@ -108,6 +108,7 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
         self.bind(graph, index, standing, pass)
     }
 
+    /// Gives a graph that an order or an enclosing step may bind its situation. Kept apart, since most graphs are free.
     #[inline(never)]
     fn bind(&mut self, graph: &Graph, index: u16, standing: Standing, pass: Pass) -> bool {
         let decision = self.decide(graph, standing, pass);

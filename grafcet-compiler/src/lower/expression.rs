@@ -145,9 +145,6 @@ impl Lowering<'_> {
     }
 
     fn timer(&mut self, enable: &Expression, preset: &Expression, context: Context) -> Node {
-        if let Some(timer) = self.own_timer(enable, preset, context) {
-            return timer;
-        }
         if let Some(timer) = self.step_timer(enable, preset, context) {
             return self.settled(timer, preset, context);
         }
@@ -174,18 +171,11 @@ impl Lowering<'_> {
         off: Option<&Expression>,
         context: Context,
     ) -> Node {
-        let own = self.own_timer(enable, on, context);
-        let is_own = own.is_some();
-        let timer = own.or_else(|| self.step_timer(enable, on, context));
-        let delayed = match timer {
+        let delayed = match self.step_timer(enable, on, context) {
             Some(timer) => {
                 let step = self.node(enable, context);
                 let both = Node::binary(Binary::And, timer, step, true);
-                if is_own {
-                    both
-                } else {
-                    self.settled(both, on, context)
-                }
+                self.settled(both, on, context)
             }
             None => {
                 let condition = self.at_any_time(|unit| unit.condition(enable, context));
@@ -239,6 +229,9 @@ impl Lowering<'_> {
         if !self.is_own(atom) {
             return None;
         }
+        if let Some(timer) = self.own_timer(atom, preset, context) {
+            return Some(Node::Timer(timer));
+        }
         let (node, unit) = self.preset(preset, context);
         Some(Node::StepTimer {
             step: self.places.bit(atom),
@@ -258,7 +251,7 @@ impl Lowering<'_> {
     }
 
     /// Whether a timer with that preset cannot fault and gives the same value throughout the phase.
-    fn is_steady(&self, preset: &Expression, context: Context) -> bool {
+    pub(super) fn is_steady(&self, preset: &Expression, context: Context) -> bool {
         let constant = preset.constant(self.model).is_some();
         match (context, &preset.bare().kind) {
             (Context::Round, _) => false,

@@ -296,10 +296,6 @@ fn merged(literals: &[(Bit, bool)]) -> Option<Vec<Term>> {
 
 /// Appends the operations of a node and tells how deep the stack gets.
 fn push(node: &Node, timers: &mut Shared<Timer>, ops: &mut Vec<Op>) -> usize {
-    if let Some(timer) = timer(node) {
-        ops.push(Op::Elapsed(timers.row(timer)));
-        return 1;
-    }
     match node {
         Node::Constant(value) => ops.push(Op::Constant(*value)),
         Node::Bit(bit) => ops.push(Op::Bit(*bit)),
@@ -312,6 +308,10 @@ fn push(node: &Node, timers: &mut Shared<Timer>, ops: &mut Vec<Op>) -> usize {
             unit,
             preset,
         } => {
+            if let Some(timer) = timer(node) {
+                ops.push(Op::Elapsed(timers.row(timer)));
+                return 1;
+            }
             let depth = push(preset, timers, ops);
             ops.push(Op::StepTimer {
                 step: *step,

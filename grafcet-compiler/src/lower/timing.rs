@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use grafcet_core::program::{Preset, Since, Timer, Unit};
 
+use super::atoms::Atom;
 use super::limits::index;
 use super::node::Node;
 use super::unit::Lowering;
@@ -53,24 +54,25 @@ impl Lowering<'_> {
         self.while_active(Vec::new(), lower)
     }
 
-    /// A timer that is asked for only while its step is active, and in a phase in which the times of activation are
-    /// noted already.
+    /// The timer of a step that is asked for only while the step is active, and in a phase in which the times of
+    /// activation are noted already.
     pub(super) fn own_timer(
         &mut self,
-        enable: &Expression,
+        of: Atom,
         preset: &Expression,
         context: Context,
-    ) -> Option<Node> {
-        let ExpressionKind::Step(step) = enable.bare().kind else {
+    ) -> Option<Timer> {
+        let Atom::Step(step) = of else {
             return None;
         };
         let in_time = matches!(context, Context::Trigger | Context::Action);
-        if !in_time || !self.timing.active.contains(&step) {
+        let is_active = self.timing.active.contains(&step);
+        if !in_time || !is_active || !self.is_steady(preset, context) {
             return None;
         }
         let preset = self.own_preset(preset, context)?;
         let since = self.timing.new_since(step);
-        Some(Node::Timer(Timer::Own { since, preset }))
+        Some(Timer::Own { since, preset })
     }
 
     /// A preset that does not change within a scan and is never too long.

@@ -1,10 +1,10 @@
 //! The most that one graph takes, and the situation in which it does.
 
+use grafcet_compiler::activity::Activity;
 use grafcet_core::program::{Graph, Sequel, Step};
 
 use super::rows::Rows;
 use super::work::{Cpu, Kind, Work};
-use grafcet_compiler::activity::Activity;
 
 /// What is asked for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

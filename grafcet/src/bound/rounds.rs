@@ -2,10 +2,9 @@
 
 use std::collections::BTreeMap;
 
+use grafcet_compiler::activity::{Activity, Firing};
 use grafcet_core::engine::MAX_ROUNDS;
 use grafcet_core::program::{Bit, Evolution, Program, Watch};
-
-use grafcet_compiler::activity::{Activity, Firing};
 
 /// The rounds of one scan.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -4,13 +4,13 @@
 
 use std::io;
 
+use grafcet_compiler::activity::Activity;
 use grafcet_compiler::application::Unit;
 use grafcet_compiler::{Target, compile};
 
 use super::rounds::Rounds;
 use super::work::{Cpu, Kind};
 use super::{Bound, Sharer};
-use grafcet_compiler::activity::Activity;
 
 fn unit(text: &str) -> Unit {
     let load = |_: &str| Err(io::ErrorKind::NotFound.into());
