@@ -107,7 +107,10 @@ build_bench_image() {
     local program=$1 cpu=$2 out=$3 target=$TARGET optimised=() log
     # Floating point in registers would be of no use: there is none in the engine.
     case $cpu in
-        m0plus_flashed) optimised=(--config 'profile.bench-image.opt-level=2' --features watched) ;;
+        m0plus_flashed)
+            optimised=(--config 'profile.bench-image.opt-level=2'
+                --config 'profile.bench-image.package.grafcet-core.opt-level=2' --features watched)
+            ;;
         m4) target=thumbv7em-none-eabi ;;
         x86) target=x86_64-unknown-none ;;
     esac

@@ -340,7 +340,7 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
         moved
     }
 
-    /// Phases 2 to 5 of a round, kept apart from the loop around it: the compiler would work on both for minutes.
+    /// Phases 2 to 5 of a round, kept apart from the loop around it: the compiler would work longer on both.
     #[inline(never)]
     fn round(&mut self, pass: Pass) -> bool {
         self.evolve(pass)
