@@ -9,7 +9,7 @@ mod trigger;
 
 use std::collections::BTreeMap;
 
-use grafcet_core::program::{Arm, Forced, Graph, Program};
+use grafcet_core::program::{Forced, Graph, Program};
 
 pub use self::together::Together;
 pub use self::trigger::Trigger;
@@ -164,22 +164,13 @@ fn join_all(together: &mut Together, these: &[usize], those: &[usize]) -> bool {
 }
 
 fn firings(program: &Program<'_>, graph: &Graph) -> Vec<Firing> {
-    let steps = program.steps.get(graph.steps.indices()).unwrap_or_default();
-    let runs = steps
-        .iter()
-        .map(|step| step.arms())
-        .chain([program.role(graph).sources]);
-    let arms: BTreeMap<usize, &Arm> = runs
-        .flat_map(|run| run.of(program.arms))
-        .map(|arm| (usize::from(arm.transition), arm))
-        .collect();
     let firing = |row: usize| {
         let transition = program.transitions.get(row)?;
         Some(Firing {
             row,
             leaves: local(graph, program.entrance_steps(graph, transition)),
             enters: local(graph, program.exit_steps(graph, transition)),
-            trigger: Trigger::of(program, arms.get(&row).copied(), transition),
+            trigger: Trigger::of(program, transition),
         })
     };
     graph.transitions.indices().filter_map(firing).collect()

@@ -1,7 +1,7 @@
 //! What the compiler hands on: tables for the engine, and what people call the things in them.
 
 use grafcet_core::program::{
-    Arm, Bit, Block, Code, Condition, Crossing, Dependent, Duties, Edges, Enclosing, Event,
+    Actors, Arm, Bit, Block, Code, Condition, Crossing, Dependent, Duties, Edges, Enclosing, Event,
     Evolution, Graph, Layout, Macro, Masks, Momentary, NumberRow, Op, Order, Program, Retained,
     Role, Run, Slot, Step, Stored, Target, Term, Timer, Transition, Watch,
 };
@@ -50,6 +50,7 @@ pub struct Tables {
     pub hierarchy: Vec<u16>,
     pub blocks: Vec<Block>,
     pub masks: Vec<Masks>,
+    pub actors: Vec<Actors>,
     pub steps: Vec<Step>,
     pub duties: Vec<Duties>,
     pub macros: Vec<Macro>,
@@ -113,6 +114,7 @@ impl Tables {
             hierarchy: &self.hierarchy,
             blocks: &self.blocks,
             masks: &self.masks,
+            actors: &self.actors,
             steps: &self.steps,
             duties: &self.duties,
             macros: &self.macros,

@@ -63,7 +63,7 @@ fn the_trigger_behind_each_step_is_its_mask_and_state_word() {
             panic!("step {step}: {crossing:?}");
         };
         assert_eq!(leaves, steps[step].bit.mask());
-        // All of the trigger is the first term, which the step looks at.
+        // All of the trigger is the first term.
         assert_eq!(transition.fires, 0, "step {step}");
         let input_word = Term {
             word: tables.layout.inputs.start,
@@ -74,7 +74,7 @@ fn the_trigger_behind_each_step_is_its_mask_and_state_word() {
             panic!("step {step} arms another number of transitions than one");
         };
         assert_eq!(usize::from(arm.transition), step);
-        let term = tables.terms[usize::from(arm.term)];
+        let term = tables.terms[usize::from(transition.term)];
         assert_eq!(term, input_word, "step {step}");
     }
 }

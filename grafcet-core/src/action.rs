@@ -1,13 +1,15 @@
 //! Events and actions (`semantics.md`, phases 5 to 7).
 
+use core::cell::Cell;
+
 use crate::engine::Engine;
 use crate::memory::Memory;
 use crate::program::{
-    Armed, Assignment, Block, Compiled, Dependent, Momentary, Run, Sequel, Step, Stored, Target,
+    Arm, Assignment, Block, Compiled, Dependent, Masks, Momentary, Run, Step, Stored, Target,
     VisitSteps,
 };
-use crate::sets::Set;
-use crate::walk::{Visit, each};
+use crate::sets::{GROUP, Set};
+use crate::walk::{Groups, Visit, each};
 
 impl<P: Compiled, M: Memory> Engine<P, M> {
     /// Phase 5: what has just become active is timed from now.
@@ -62,6 +64,21 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
     /// Phase 7: a momentary variable is the OR of its statements, those that read others after those they read.
     #[inline(always)]
     pub(crate) fn run_momentary(&mut self) {
+        if P::UNROLLED {
+            self.show_all();
+        } else {
+            self.show_all_apart();
+        }
+    }
+
+    /// Kept apart, since a loop need not be written out in scan 0 and in all others.
+    #[inline(never)]
+    fn show_all_apart(&mut self) {
+        self.show_all();
+    }
+
+    #[inline(always)]
+    fn show_all(&mut self) {
         let tables = self.tables;
         let program = tables.program();
         let words = program.layout.momentary;
@@ -161,6 +178,20 @@ enum Part {
     OnEvent,
 }
 
+impl Part {
+    /// Those who do it.
+    #[inline(always)]
+    const fn of(self, masks: &Masks) -> u32 {
+        match self {
+            Part::Activated => masks.timed,
+            Part::Stored => masks.stored,
+            Part::OnActivation => masks.on_activation,
+            Part::OnDeactivation => masks.on_deactivation,
+            Part::OnEvent => masks.on_event,
+        }
+    }
+}
+
 /// Does one thing for some steps.
 struct Acting<'e, P, M> {
     engine: &'e mut Engine<P, M>,
@@ -170,7 +201,11 @@ struct Acting<'e, P, M> {
 impl<P: Compiled, M: Memory> VisitSteps for Acting<'_, P, M> {
     #[inline(always)]
     fn groups(&self, row: usize) -> u32 {
-        self.engine.memory.members(Set::Lively, row)
+        let tables = self.engine.tables;
+        let acting = tables
+            .program()
+            .actors(row, |actors| self.part.of(&actors.masks));
+        self.engine.memory.members(Set::Lively, row) & acting
     }
 
     #[inline(always)]
@@ -180,13 +215,12 @@ impl<P: Compiled, M: Memory> VisitSteps for Acting<'_, P, M> {
         let before = before.copied().unwrap_or(0);
         let (activated, deactivated) = (now & !before, before & !now);
         let tables = self.engine.tables;
-        let masks = tables.program().masks(block);
+        let acting = self.part.of(tables.program().masks(block));
         match self.part {
-            Part::Activated => activated & masks.timed,
-            Part::Stored => now & masks.stored,
-            Part::OnActivation => activated & masks.on_activation,
-            Part::OnDeactivation => deactivated & masks.on_deactivation,
-            Part::OnEvent => before & masks.on_event,
+            Part::Activated | Part::OnActivation => activated & acting,
+            Part::Stored => now & acting,
+            Part::OnDeactivation => deactivated & acting,
+            Part::OnEvent => before & acting,
         }
     }
 
@@ -236,25 +270,40 @@ struct Showing<'e, P, M> {
 }
 
 impl<P: Compiled, M: Memory> Showing<'_, P, M> {
-    /// Raises what the only active step of a word shows, if that is known.
-    #[inline(always)]
-    fn show(&mut self, place: usize) -> bool {
+    /// Raises what the steps of a group of words show, as long as each word has but one and what it shows is known. Gives
+    /// the first word of which that is not so.
+    ///
+    /// Kept apart, so that it has the few registers of a small processor for itself.
+    #[inline(never)]
+    fn show_group(&mut self, first: usize) -> Option<usize> {
         let tables = self.engine.tables;
         let program = tables.program();
-        let armed = self.engine.memory.armed(place);
-        let Some(arm) = program.arms.get(armed.row()) else {
-            return false;
-        };
-        match arm.sequel.shows {
-            Sequel::SHOWS_NOTHING => {}
-            Sequel::SHOWS_MORE => return false,
-            row => {
-                if let Some(target) = program.targets.get(usize::from(row.wrapping_sub(1))) {
-                    self.row(target);
-                }
+        let start = usize::from(program.layout.situations.start);
+        let (image, _, armed) = self.engine.memory.store.following();
+        let image = Cell::from_mut(image).as_slice_of_cells();
+        let end = program.blocks.len().min(first + GROUP);
+        let blocks = program.blocks.get(first..end).unwrap_or(&[]);
+        let situations = image.get(start + first..start + end).unwrap_or(&[]);
+        for (place, (block, situation)) in (first..).zip(blocks.iter().zip(situations)) {
+            if situation.get() & block.momentary == 0 {
+                continue;
+            }
+            let arm = armed.get(place).map(|armed| armed.row());
+            let shows = match arm.and_then(|row| program.arms.get(row)) {
+                Some(arm) if arm.shows != Arm::SHOWS_MORE => arm.shows,
+                _ => return Some(place),
+            };
+            let target = program.targets.get(usize::from(shows).wrapping_sub(1));
+            let Some(target) = target else {
+                continue;
+            };
+            if self.only == Some(target.word) {
+                self.shown |= target.mask;
+            } else if let Some(word) = image.get(usize::from(target.word)) {
+                word.set(word.get() | target.mask);
             }
         }
-        true
+        None
     }
 }
 
@@ -268,21 +317,20 @@ impl<P: Compiled, M: Memory> VisitSteps for Showing<'_, P, M> {
 
     #[inline(always)]
     fn groups(&self, row: usize) -> u32 {
-        self.engine.memory.members(Set::Lively, row)
+        let tables = self.engine.tables;
+        let showing = tables.program().actors(row, |actors| actors.momentary);
+        self.engine.memory.members(Set::Lively, row) & showing
     }
 
     #[inline(always)]
-    fn follow(&mut self, from: usize, end: usize) -> usize {
-        let mut place = from;
-        while place < end && self.show(place) {
-            place += 1;
+    fn follow(&mut self, groups: &mut Groups) -> Option<usize> {
+        while let Some(group) = groups.next() {
+            let unknown = self.show_group(group * GROUP);
+            if unknown.is_some() {
+                return unknown;
+            }
         }
-        place
-    }
-
-    #[inline(always)]
-    fn passes(&mut self, place: usize) -> bool {
-        self.engine.memory.armed(place) == Armed::NOTHING
+        None
     }
 
     #[inline(always)]

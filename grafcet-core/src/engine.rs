@@ -1,6 +1,7 @@
 //! One scan at a time: the phases of `semantics.md` in their order.
 
 use crate::bits::Flag;
+use crate::evolution::Moved;
 use crate::memory::{Bank, Memory};
 use crate::program::{Bit, Compiled, Evolution, Number, Program, Slot};
 use crate::watch::Pass;
@@ -291,28 +292,29 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
             Evolution::Stable => self.evolve_until_stable(),
         };
         self.run_lasting();
-        if moved || program.momentary_varies {
+        // Written out, what fires is mostly all that there is.
+        let shows = if P::UNROLLED { moved.any } else { moved.shows };
+        if shows || program.momentary_varies {
             self.run_momentary();
         }
     }
 
-    /// Phases 2 to 6, but for the statements that follow no change. True when a transition has fired or a situation
-    /// has changed.
+    /// Phases 2 to 6, but for the statements that follow no change.
     #[inline(always)]
-    fn evolve_once(&mut self) -> bool {
+    fn evolve_once(&mut self) -> Moved {
         let tables = self.tables;
         let program = tables.program();
         let moved = self.evolve(Pass::First);
         self.watch(program.action_watches, Pass::First);
-        if moved || !program.events.is_empty() {
+        if moved.any || !program.events.is_empty() {
             self.run_changes();
         }
         moved
     }
 
-    /// Phases 2 to 5, once. True when a transition has fired or a situation has changed.
+    /// Phases 2 to 5, once.
     #[inline(always)]
-    fn evolve(&mut self, pass: Pass) -> bool {
+    fn evolve(&mut self, pass: Pass) -> Moved {
         let tables = self.tables;
         let program = tables.program();
         // It is. Here the compiler learns it, and that timers of triggers need no second look.
@@ -322,17 +324,21 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
         self.watch(program.trigger_watches, pass);
         self.memory.remember_macros(&program.layout);
         let marked = self.mark_fired();
-        let mut moved = marked.any;
-        if moved {
+        let mut moved = Moved {
+            any: marked.any,
+            shows: marked.shows,
+        };
+        if moved.any {
             self.fire(marked);
             self.refresh_macros();
         }
         if self.has_hierarchy() {
             self.set_settling(Flag::On);
             let bound = self.settle_hierarchy(pass);
-            moved = (moved || bound) && (self.any_fired() || self.any_changed());
+            moved.any = (moved.any || bound) && (self.any_fired() || self.any_changed());
+            moved.shows = moved.any;
         }
-        if moved {
+        if moved.any {
             self.note_change();
             self.stamp_activations();
         }
@@ -343,13 +349,12 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
     /// Phases 2 to 5 of a round, kept apart from the loop around it: the compiler would work longer on both.
     #[inline(never)]
     fn round(&mut self, pass: Pass) -> bool {
-        self.evolve(pass)
+        self.evolve(pass).any
     }
 
     /// Rounds of phases 2 to 5 with the statements that belong to a change, until nothing fires or the situation is
     /// the one before the round. When the last permitted round still changed it, the program is unstable.
-    /// True when a transition has fired or a situation has changed in one of them.
-    fn evolve_until_stable(&mut self) -> bool {
+    fn evolve_until_stable(&mut self) -> Moved {
         let tables = self.tables;
         let program = tables.program();
         self.memory.mark_scan(&program.layout);
@@ -371,7 +376,10 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
         }
         self.set_bit(Bit::UNSTABLE, !settled);
         self.watch(program.action_watches, Pass::First);
-        moved
+        Moved {
+            any: moved,
+            shows: moved,
+        }
     }
 
     /// Whether the situation is another than before this scan (round).

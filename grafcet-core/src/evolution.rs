@@ -5,7 +5,7 @@ use crate::engine::Engine;
 use crate::memory::Memory;
 use crate::program::{Arm, Armed, Block, Compiled, Crossing, Graph, Run, Step, Transition};
 use crate::sets::{GROUP, Set, rows};
-use crate::walk::{Visit, VisitSteps, each};
+use crate::walk::{Groups, Visit, VisitSteps, each};
 
 impl<P: Compiled, M: Memory> Engine<P, M> {
     /// Marks every armed transition whose trigger is True, and tells whether there are any. The situations stay as
@@ -19,12 +19,13 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
             marked: Marked {
                 any: false,
                 across: false,
+                shows: false,
             },
             now: 0,
             next: 0,
             enters: 0,
-            first_arm: 0,
-            armed: Armed::UNKNOWN,
+            only_arm: u16::MAX,
+            armed: None,
         };
         tables.each_step(&mut marking);
         for graph in program.sources {
@@ -37,13 +38,14 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
             && let [marks] = self.memory.store.fired()
         {
             marked.any = *marks != 0;
+            marked.shows = marked.any;
         }
         marked
     }
 
     /// Whether a term holds.
     #[inline(always)]
-    fn term_holds(&self, row: usize) -> bool {
+    pub(crate) fn term_holds(&self, row: usize) -> bool {
         let tables = self.tables;
         let term = tables.program().terms.get(row);
         term.is_some_and(|term| term.holds(self.memory.store.image()))
@@ -85,8 +87,8 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
         let program = tables.program();
         // Of graphs of few steps the next situations are complete.
         if !program.links.is_empty() && marked.across {
-            self.cross(|entrance, _| entrance, |word, bit| word & !bit);
-            self.cross(|_, exit| exit, |word, bit| word | bit);
+            self.cross(Side::Entrance);
+            self.cross(Side::Exit);
         }
         if !program.crosses_at_once {
             tables.each_step(&mut Exchanging { engine: self });
@@ -94,57 +96,83 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
     }
 
     /// Changes the next situation by the steps on one side of every marked transition of a graph with many steps.
-    fn cross(&mut self, side: impl Fn(Run, Run) -> Run, change: impl Fn(u32, u32) -> u32) {
-        let tables = self.tables;
-        let program = tables.program();
-        let first = program.layout.situations.start;
+    #[inline(never)]
+    fn cross(&mut self, side: Side) {
         self.for_each_fired(|engine, row, transition| {
-            let Crossing::Across { entrance, exit } = program.crossing(transition) else {
-                return;
+            let tables = engine.tables;
+            let program = tables.program();
+            let steps = match (program.crossing(transition), side) {
+                (Crossing::Within { .. }, _) => return,
+                (Crossing::Across { entrance, .. }, Side::Entrance) => entrance,
+                (Crossing::Across { exit, .. }, Side::Exit) => exit,
             };
-            let Some(graph) = program.graph_of(row) else {
-                return;
-            };
-            let own = usize::from(graph.first_word.saturating_sub(first));
-            for step in side(entrance, exit).of(program.links) {
-                let word = usize::from(step / 32);
-                let place = own + word;
-                let store = &mut engine.memory.store;
-                // All triggers have been evaluated.
-                let word = match program.crosses_at_once {
-                    true => store
-                        .image_mut()
-                        .get_mut(usize::from(graph.first_word) + word),
-                    false => store.before_mut().get_mut(place),
-                };
-                if let Some(word) = word {
-                    *word = change(*word, 1 << (step % 32));
-                    engine.memory.put_armed(place, Armed::UNKNOWN);
-                    engine.memory.insert(Set::Lively, place);
+            if let Some(graph) = program.graph_of(row) {
+                for step in steps.of(program.links) {
+                    engine.change(graph, *step, side);
                 }
             }
         });
     }
 
-    /// Visits the transitions that fired in this round, in source order.
-    pub(crate) fn for_each_fired(&mut self, mut visit: impl FnMut(&mut Self, usize, &Transition)) {
+    /// Leaves or enters a step of a graph with many steps, all triggers having been evaluated.
+    #[inline(never)]
+    fn change(&mut self, graph: &Graph, step: u16, side: Side) {
         let tables = self.tables;
         let program = tables.program();
+        let word = usize::from(graph.first_word) + usize::from(step / 32);
+        let place = word.saturating_sub(usize::from(program.layout.situations.start));
+        let next = match program.crosses_at_once {
+            true => self.memory.store.image_mut().get_mut(word),
+            false => self.memory.store.before_mut().get_mut(place),
+        };
+        if let Some(next) = next {
+            let bit = 1 << (step % 32);
+            *next = match side {
+                Side::Entrance => *next & !bit,
+                Side::Exit => *next | bit,
+            };
+            self.memory.put_armed(place, Armed::UNKNOWN);
+            self.memory.insert(Set::Lively, place);
+        }
+    }
+
+    /// Visits the transitions that fired in this round, in source order.
+    pub(crate) fn for_each_fired(&mut self, mut visit: impl FnMut(&mut Self, usize, &Transition)) {
         let words = self.memory.store.fired().len();
         for row in 0..rows(words) {
-            for bit in set_bits_of(self.memory.members(Set::Marked, row)) {
-                let first = (row * 32 + bit) * GROUP;
-                for word in first..words.min(first + GROUP) {
-                    let marks = self.memory.store.fired().get(word).copied().unwrap_or(0);
-                    for bit in set_bits_of(marks) {
-                        let row = word * 32 + bit;
-                        if let Some(transition) = program.transitions.get(row) {
-                            visit(self, row, transition);
-                        }
+            for group in Groups::of(row, self.memory.members(Set::Marked, row), words) {
+                for word in group * GROUP..words.min((group + 1) * GROUP) {
+                    if P::UNROLLED {
+                        self.visit_marks(word, &mut visit);
+                    } else {
+                        self.visit_marks_apart(word, &mut visit);
                     }
                 }
             }
         }
+    }
+
+    /// Visits the transitions of a word that fired in this round.
+    #[inline(always)]
+    fn visit_marks(&mut self, word: usize, visit: &mut impl FnMut(&mut Self, usize, &Transition)) {
+        let tables = self.tables;
+        let marks = self.memory.store.fired().get(word).copied().unwrap_or(0);
+        for bit in set_bits_of(marks) {
+            let row = word * 32 + bit;
+            if let Some(transition) = tables.program().transitions.get(row) {
+                visit(self, row, transition);
+            }
+        }
+    }
+
+    /// The same, kept apart, since a loop need not be written out in a loop.
+    #[inline(never)]
+    fn visit_marks_apart(
+        &mut self,
+        word: usize,
+        visit: &mut impl FnMut(&mut Self, usize, &Transition),
+    ) {
+        self.visit_marks(word, visit);
     }
 
     /// Whether any transition of this round has fired.
@@ -165,6 +193,13 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
     }
 }
 
+/// A side of a transition.
+#[derive(Clone, Copy)]
+enum Side {
+    Entrance,
+    Exit,
+}
+
 /// Which transitions are marked.
 #[derive(Clone, Copy)]
 pub(crate) struct Marked {
@@ -172,6 +207,17 @@ pub(crate) struct Marked {
     pub any: bool,
     /// One of a graph with more steps than a word has.
     pub across: bool,
+    /// One behind which momentary actions may show something else.
+    pub shows: bool,
+}
+
+/// What has become of the situation in a scan (round).
+#[derive(Clone, Copy)]
+pub(crate) struct Moved {
+    /// A transition has fired, or a situation has changed.
+    pub any: bool,
+    /// Momentary actions may show something else.
+    pub shows: bool,
 }
 
 /// Makes the next situations those of now, and those of now the ones before.
@@ -208,17 +254,17 @@ impl<P: Compiled, M: Memory> VisitSteps for Exchanging<'_, P, M> {
 /// Looks at armed transitions.
 pub(crate) struct Marking<'e, P, M> {
     pub(crate) engine: &'e mut Engine<P, M>,
-    marked: Marked,
+    pub(crate) marked: Marked,
     /// The steps of the word that is being looked at.
     now: u32,
     /// What the marked transitions make of it.
     next: u32,
     /// Those that they enter, which stay active whoever leaves them (IEC 60848 rule 5).
     enters: u32,
-    /// The first arm of the step that is being looked at.
-    first_arm: u16,
-    /// What is armed behind this scan (round) in the word, if that step is the only one.
-    armed: Armed,
+    /// The only arm of the latest step that has been looked at; no row when there is none.
+    only_arm: u16,
+    /// What is armed behind the transition that it fired, if it did.
+    armed: Option<Armed>,
 }
 
 impl<P: Compiled, M: Memory> Marking<'_, P, M> {
@@ -233,6 +279,7 @@ impl<P: Compiled, M: Memory> Marking<'_, P, M> {
     #[inline(always)]
     pub(crate) fn mark(&mut self, transition: usize, across: bool) {
         self.marked.any = true;
+        self.marked.shows = true;
         self.marked.across |= across;
         let tables = self.engine.tables;
         if !across && !tables.program().marks_all {
@@ -298,18 +345,16 @@ impl<P: Compiled, M: Memory> VisitSteps for Marking<'_, P, M> {
     }
 
     #[inline(always)]
-    fn follow(&mut self, from: usize, end: usize) -> usize {
-        self.follow_sequences(from, end)
+    fn follow(&mut self, groups: &mut Groups) -> Option<usize> {
+        if P::UNROLLED || self.engine.memory.store.armed().is_empty() {
+            return groups.next().map(|group| group * GROUP);
+        }
+        self.follow_sequences(groups)
     }
 
     #[inline(always)]
-    fn passes(&mut self, place: usize) -> bool {
-        let memory = &mut self.engine.memory;
-        let passes = memory.armed(place) == Armed::NOTHING;
-        if passes && memory.has_sets() && place % GROUP == GROUP - 1 {
-            memory.let_sleep(place / GROUP);
-        }
-        passes
+    fn follow_one(&mut self, place: usize) -> bool {
+        self.follow_closer(place)
     }
 
     #[inline(always)]
@@ -317,13 +362,16 @@ impl<P: Compiled, M: Memory> VisitSteps for Marking<'_, P, M> {
         self.now = self.engine.situation_word(place);
         self.next = self.now;
         self.enters = 0;
-        self.armed = Armed::UNKNOWN;
+        self.only_arm = u16::MAX;
+        self.armed = None;
         self.now
     }
 
     #[inline(always)]
     fn step(&mut self, step: &Step) {
-        self.first_arm = step.first_arm;
+        if !P::UNROLLED && step.arm_count == 1 {
+            self.only_arm = step.first_arm;
+        }
         self.arms(step.arms());
     }
 
@@ -335,10 +383,15 @@ impl<P: Compiled, M: Memory> VisitSteps for Marking<'_, P, M> {
             let is_one = self.now & self.now.wrapping_sub(1) == 0;
             let armed = match (self.now | next, is_one) {
                 (0, _) => Armed::NOTHING,
-                (_, true) => self.armed,
+                (_, true) => self
+                    .armed
+                    .unwrap_or_else(|| self.engine.armed_alone(self.only_arm)),
                 (_, false) => Armed::UNKNOWN,
             };
             self.engine.memory.put_armed(place, armed);
+            if armed == Armed::NOTHING {
+                self.engine.memory.let_sleep(place / GROUP);
+            }
         }
     }
 }
@@ -348,23 +401,19 @@ impl<P: Compiled, M: Memory> Visit<Arm> for Marking<'_, P, M> {
     fn row(&mut self, arm: &Arm) {
         let tables = self.engine.tables;
         let program = tables.program();
-        if !P::UNROLLED && !arm.sequel.course.is_free() {
-            self.armed = Armed::by(self.first_arm, arm.term);
-        }
-        if !self.engine.term_holds(usize::from(arm.term)) {
-            return;
-        }
         let row = usize::from(arm.transition);
         let Some(transition) = program.transitions.get(row) else {
             return;
         };
-        if self.engine.holds_row(transition.fires) {
+        if self.engine.term_holds(usize::from(transition.term))
+            && self.engine.holds_row(transition.fires)
+        {
             if !P::UNROLLED {
-                self.armed = self.engine.armed_by(arm.sequel.next);
+                self.armed = Some(arm.next);
             }
             let crossing = program.crossing(transition);
             self.mark(row, matches!(crossing, Crossing::Across { .. }));
-            if let Crossing::Within { leaves, enters } = crossing {
+            if let Crossing::Within { leaves, enters, .. } = crossing {
                 self.next = self.next & !(leaves & !self.enters) | enters;
                 self.enters |= enters;
             }

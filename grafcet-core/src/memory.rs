@@ -100,6 +100,8 @@ pub trait Memory {
     fn sets(&self) -> &[u32];
     /// The same, to be written.
     fn sets_mut(&mut self) -> &mut [u32];
+    /// The image, the situations before and what is armed, all to be written.
+    fn following(&mut self) -> (&mut [u32], &mut [u32], &mut [Armed]);
     /// What is armed in each word of situations. [`Layout::armed`] words, or none: all steps are looked at then.
     fn armed(&self) -> &[Armed];
     /// The same, to be written.
@@ -220,7 +222,12 @@ macro_rules! memory_methods {
         fn $field_mut(&mut self) -> &mut [$type] {
             &mut self.$field
         }
-    )*};
+    )*
+        #[inline(always)]
+        fn following(&mut self) -> (&mut [u32], &mut [u32], &mut [$crate::program::Armed]) {
+            (&mut self.image, &mut self.before, &mut self.armed)
+        }
+    };
     (@target $($field:ident $field_mut:ident $type:ty),*) => {$(
         #[inline(always)]
         fn $field(&self) -> &[$type] {
@@ -230,7 +237,12 @@ macro_rules! memory_methods {
         fn $field_mut(&mut self) -> &mut [$type] {
             (**self).$field_mut()
         }
-    )*};
+    )*
+        #[inline(always)]
+        fn following(&mut self) -> (&mut [u32], &mut [u32], &mut [$crate::program::Armed]) {
+            (**self).following()
+        }
+    };
 }
 
 impl<M: Memory> Memory for &mut M {
@@ -252,7 +264,6 @@ impl<M: Memory> Bank<M> {
         self.store.before_scan_mut().fill(0);
         self.store.fired_mut().fill(0);
         self.store.sets_mut().fill(0);
-        self.store.armed_mut().fill(Armed::UNKNOWN);
         self.store.passed_mut().fill(0);
         self.store.stamps_mut().fill(NEVER);
         self.store.since_mut().fill(0);

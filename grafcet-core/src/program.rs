@@ -14,17 +14,18 @@ use crate::sets::rows;
 use crate::walk::loop_over_steps;
 
 pub use crate::sets::GROUP;
-pub use crate::walk::VisitSteps;
+pub use crate::walk::{Groups, VisitSteps};
 
 pub use expression::{
     Code, Condition, Edge, Edges, Op, Preset, Rest, Seen, Term, Timer, Unit, Watch,
 };
 pub use place::{Bit, Number, Run, Since, Slot, Stamp};
 pub use rows::{
-    Arm, Assignment, Block, Crossing, Dependent, Duties, Enclosing, Event, Forced, Graph, Macro,
-    Masks, Momentary, NumberRow, Order, Retained, Role, Step, Stored, Target, Transition,
+    Actors, Arm, Assignment, Block, Crossing, Dependent, Duties, Enclosing, Event, Forced, Graph,
+    Macro, Masks, Momentary, NumberRow, Order, Retained, Role, Step, Stored, Target, Transition,
 };
-pub use sequence::{Armed, Course, Sequel};
+pub(crate) use sequence::Taken;
+pub use sequence::{Armed, Course};
 
 /// How a program evolves within a scan.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -76,7 +77,8 @@ pub struct Layout {
     /// Words of the sets of words that hold anything: a bit for eight words of transitions, behind them a bit for eight
     /// words of situations and macro steps. None in a small program.
     pub sets: u16,
-    /// Words of situations of which it is kept what is armed in them: all or, in a small program, none.
+    /// Words of situations of which it is kept what is armed in them: all, and so many behind them that they are whole
+    /// groups of eight; none in a small program.
     pub armed: u16,
 }
 
@@ -85,6 +87,22 @@ impl Layout {
     #[must_use]
     pub const fn situation_words(&self) -> usize {
         self.situations.len as usize + self.macros.len as usize
+    }
+
+    /// The same layout for a large program, in which it is kept what is armed.
+    #[must_use]
+    pub const fn with_armed(mut self) -> Self {
+        self.armed = self.situations.len.next_multiple_of(GROUP as u16);
+        let behind = self.situations.start.saturating_add(self.armed);
+        let words = if behind > Armed::WORDS as u16 {
+            behind
+        } else {
+            Armed::WORDS as u16
+        };
+        if words > self.words {
+            self.words = words;
+        }
+        self
     }
 
     /// How many [`Layout::sets`] a large program needs.
@@ -129,6 +147,8 @@ pub struct Program<'a> {
     pub blocks: &'a [Block],
     /// Which steps of a word do something beside momentary actions.
     pub masks: &'a [Masks],
+    /// What groups of [`Program::blocks`] do, in a large program; in a small one there are no rows, and all may do anything.
+    pub actors: &'a [Actors],
     /// The steps of all graphs.
     pub steps: &'a [Step],
     /// What steps do beside momentary actions; row 0 does nothing.
@@ -239,7 +259,7 @@ impl Program<'_> {
     #[must_use]
     #[inline(always)]
     pub fn do_block(&self, transition: &Transition) -> Run {
-        let run = self.do_blocks.get(usize::from(transition.actions));
+        let run = self.do_blocks.get(self.crossing(transition).actions());
         run.copied().unwrap_or(Run::EMPTY)
     }
 
@@ -267,6 +287,12 @@ impl Program<'_> {
         self.masks
             .get(usize::from(block.masks))
             .unwrap_or(&Masks::NONE)
+    }
+
+    /// Of 32 neighbouring groups of words of steps those that do something.
+    #[inline(always)]
+    pub(crate) fn actors(&self, row: usize, which: impl Fn(&Actors) -> u32) -> u32 {
+        self.actors.get(row).map_or(u32::MAX, which)
     }
 
     /// The graph to which a row of the transitions belongs.

@@ -1,121 +1,282 @@
 //! Steps that stand in a sequence (IEC 60848: each has one way on). A large program keeps in mind what is armed in a word
 //! in which such a step is the only active one, so that a scan looks at that transition and at nothing else.
 
+use core::cell::Cell;
+
 use crate::engine::Engine;
 use crate::evolution::Marking;
 use crate::memory::Memory;
-use crate::program::{Arm, Armed, Block, Compiled, Step};
-use crate::sets::Set;
-use crate::walk::VisitSteps;
+use crate::program::{Arm, Armed, Block, Compiled, Program, Taken};
+use crate::sets::GROUP;
+use crate::walk::Groups;
 
 impl<P: Compiled, M: Memory> Engine<P, M> {
-    /// Finds out what is armed where one step is active, so that the next scan need not.
+    /// Finds out what is armed, so that the next scan need not.
     pub(crate) fn find_armed(&mut self) {
-        if !P::UNROLLED && !self.memory.store.armed().is_empty() {
-            let tables = self.tables;
-            tables.each_step(&mut Finding {
-                engine: self,
-                armed: Armed::UNKNOWN,
-            });
+        if P::UNROLLED {
+            return;
+        }
+        let tables = self.tables;
+        for place in 0..self.memory.store.armed().len() {
+            let block = tables.program().blocks.get(place);
+            let armed = block.map_or(Armed::NOTHING, |block| self.armed_in(place, block));
+            self.memory.put_armed(place, armed);
         }
     }
 
-    /// What a row of the arms arms, if there is such a row.
-    #[inline(always)]
-    pub(crate) fn armed_by(&self, row: u16) -> Armed {
+    /// What is armed in a word, if it is known when one step of it is active or none.
+    fn armed_in(&self, place: usize, block: &Block) -> Armed {
+        let now = self.situation_word(place);
+        if now == 0 {
+            return Armed::NOTHING;
+        }
         let tables = self.tables;
-        let arm = tables.program().arms.get(usize::from(row));
-        arm.map_or(Armed::UNKNOWN, |arm| Armed::by(row, arm.term))
+        let bit = now.trailing_zeros() as usize;
+        match tables.program().steps.get(usize::from(block.first) + bit) {
+            Some(step) if step.arm_count == 1 && now.is_power_of_two() => {
+                self.armed_alone(step.first_arm)
+            }
+            _ => Armed::UNKNOWN,
+        }
     }
 
-    /// Whether a condition holds. Kept apart, since it is long where few ask for it.
+    /// What is armed by a step with a row of the arms, if it stands in a sequence.
+    pub(crate) fn armed_alone(&self, row: u16) -> Armed {
+        let tables = self.tables;
+        let program = tables.program();
+        match program.arms.get(usize::from(row)) {
+            Some(arm) if !arm.course.is_free() => program.armed_by(row),
+            _ => Armed::UNKNOWN,
+        }
+    }
+
+    /// Whether a transition fires that is armed. Kept apart, since it is long where few ask for it.
     #[inline(never)]
-    fn holds_apart(&mut self, row: u16) -> bool {
-        self.holds_row(row)
+    fn fires_apart(&mut self, row: u16) -> bool {
+        let tables = self.tables;
+        let transition = tables.program().transitions.get(usize::from(row));
+        transition
+            .is_some_and(|it| self.term_holds(usize::from(it.term)) && self.holds_row(it.fires))
+    }
+
+    /// Looks at groups of words as long as one Boolean says whether the transition fires that is armed there, and nobody
+    /// but the situation learns of it. Gives the first word of which that is not so, and what has fired.
+    #[inline(never)]
+    fn follow_plainly(&mut self, groups: &mut Groups) -> (Option<usize>, Taken) {
+        let tables = self.tables;
+        let program = tables.program();
+        let first = usize::from(program.layout.situations.start);
+        let (image, before, armed) = self.memory.store.following();
+        let image = Cell::from_mut(image).as_slice_of_cells();
+        let (Some(near), Some(situations)) =
+            (image.first_chunk(), image.get(first..first + armed.len()))
+        else {
+            return (groups.next().map(|group| group * GROUP), Taken::NONE);
+        };
+        let mut following = Following {
+            near,
+            arms: plain_arms(program),
+            before,
+            taken: Taken::NONE,
+        };
+        let (armed, _) = armed.as_chunks_mut::<GROUP>();
+        let (situations, _) = situations.as_chunks::<GROUP>();
+        let Groups {
+            mut left,
+            next: mut group,
+        } = *groups;
+        while left != 0 {
+            let is_member = left & 1 != 0;
+            if is_member
+                && let (Some(armed), Some(situations)) =
+                    (armed.get_mut(group), situations.get(group))
+            {
+                let mut known = GROUP;
+                for (offset, (armed, situation)) in armed.iter_mut().zip(situations).enumerate() {
+                    if !following.look(group * GROUP + offset, armed, situation) {
+                        known = offset;
+                        break;
+                    }
+                }
+                if let (Some(armed), Some(situations)) =
+                    (armed.get_mut(known..), situations.get(known..))
+                    && !armed.is_empty()
+                {
+                    let first = group * GROUP + known;
+                    let (place, taken) =
+                        look_on(tables, image, following.before, armed, situations, first);
+                    following.taken.join(taken);
+                    if place.is_some() {
+                        *groups = Groups {
+                            left: left >> 1,
+                            next: group + 1,
+                        };
+                        return (place, following.taken);
+                    }
+                }
+            }
+            left >>= 1;
+            group += 1;
+        }
+        (None, following.taken)
+    }
+}
+
+/// What is needed to follow sequences.
+struct Following<'m> {
+    near: &'m [Cell<u32>; Armed::WORDS],
+    arms: &'m [Arm],
+    before: &'m mut [u32],
+    taken: Taken,
+}
+
+impl Following<'_> {
+    /// Looks at a word, if one Boolean will do.
+    #[inline(always)]
+    fn look(&mut self, place: usize, armed: &mut Armed, situation: &Cell<u32>) -> bool {
+        if !armed.may_fire(self.near) {
+            self.keep(place, situation);
+            return true;
+        }
+        let Some(arm) = self.arms.get(armed.plain_row()) else {
+            return false;
+        };
+        self.go_on(place, armed, situation, arm);
+        true
+    }
+
+    /// A transition fires.
+    #[inline(always)]
+    fn go_on(&mut self, place: usize, armed: &mut Armed, situation: &Cell<u32>, arm: &Arm) {
+        self.keep(place, situation);
+        self.taken.take(arm.course);
+        situation.set(arm.course.enters());
+        *armed = arm.next;
+    }
+
+    /// Keeps the situation of now as the one before the next scan (round), if that is asked for.
+    #[inline(always)]
+    fn keep(&mut self, place: usize, situation: &Cell<u32>) {
+        if let Some(before) = self.before.get_mut(place) {
+            *before = situation.get();
+        }
+    }
+}
+
+/// The transitions that fire without anybody but the situation learning of it.
+#[inline(always)]
+fn plain_arms<'a>(program: &Program<'a>) -> &'a [Arm] {
+    match program.crosses_at_once && !program.marks_all {
+        true => program.arms.get(..Armed::ROWS).unwrap_or(program.arms),
+        false => &[],
+    }
+}
+
+/// Looks at the words of a group from one on, if their first terms will do. Gives the first of which that is not so, and
+/// what has fired.
+///
+/// Kept apart, since mostly one Boolean will do, which is looked at with all registers.
+#[inline(never)]
+fn look_on<P: Compiled>(
+    tables: P,
+    image: &[Cell<u32>],
+    before: &mut [u32],
+    armed: &mut [Armed],
+    situations: &[Cell<u32>],
+    first: usize,
+) -> (Option<usize>, Taken) {
+    let program = tables.program();
+    let Some(near) = image.first_chunk() else {
+        return (Some(first), Taken::NONE);
+    };
+    let mut following = Following {
+        near,
+        arms: plain_arms(program),
+        before,
+        taken: Taken::NONE,
+    };
+    let mut place = first;
+    for (armed, situation) in armed.iter_mut().zip(situations) {
+        if !following.look(place, armed, situation) {
+            match look_closer(program, image, *armed) {
+                Closer::Stays => following.keep(place, situation),
+                Closer::Fires(arm) if !following.arms.is_empty() => {
+                    following.go_on(place, armed, situation, arm);
+                }
+                Closer::Fires(_) | Closer::Unknown => return (Some(place), following.taken),
+            }
+        }
+        place += 1;
+    }
+    (None, following.taken)
+}
+
+/// What a look at the first term of a transition says, which is known to be armed.
+enum Closer<'a> {
+    /// It does not fire.
+    Stays,
+    /// It does.
+    Fires(&'a Arm),
+    /// The term does not say it.
+    Unknown,
+}
+
+/// Looks at the first term of the transition that is armed.
+#[inline(always)]
+fn look_closer<'a>(program: &Program<'a>, image: &[Cell<u32>], armed: Armed) -> Closer<'a> {
+    let arm = program.arms.get(armed.row());
+    let Some(arm) = arm else {
+        return Closer::Unknown;
+    };
+    let transition = program.transitions.get(usize::from(arm.transition));
+    let term = transition.and_then(|it| program.terms.get(usize::from(it.term)));
+    let (Some(transition), Some(term)) = (transition, term) else {
+        return Closer::Unknown;
+    };
+    let word = image.get(usize::from(term.word)).map_or(0, Cell::get);
+    if word & term.mask != term.state {
+        Closer::Stays
+    } else if transition.fires == 0 {
+        Closer::Fires(arm)
+    } else {
+        Closer::Unknown
     }
 }
 
 impl<P: Compiled, M: Memory> Marking<'_, P, M> {
-    /// Looks at neighbouring words from one on, as long as it is known what is armed in them, and gives the first of which
-    /// it is not.
+    /// Looks at groups of words as long as it is known what is armed in them, and gives the first word of which it is not.
     #[inline(always)]
-    pub(crate) fn follow_sequences(&mut self, from: usize, end: usize) -> usize {
-        let mut place = from;
-        while place < end {
-            let armed = self.engine.memory.armed(place);
-            let tables = self.engine.tables;
-            let Some(term) = tables.program().terms.get(armed.term()) else {
-                break;
-            };
-            if term.holds(self.engine.memory.store.image()) {
-                let Some(arm) = tables.program().arms.get(armed.row()) else {
-                    break;
-                };
-                self.go_on(place, arm);
-            } else {
-                self.stay(place);
-            }
-            place += 1;
-        }
+    pub(crate) fn follow_sequences(&mut self, groups: &mut Groups) -> Option<usize> {
+        let (place, taken) = self.engine.follow_plainly(groups);
+        self.marked.any |= taken.any();
+        self.marked.shows |= taken.shows();
         place
     }
 
-    /// Goes on in a sequence, if the rest of its condition holds too.
-    #[inline(always)]
-    fn go_on(&mut self, place: usize, arm: &Arm) {
+    /// Looks whether the transition fires that is armed in a word, if that is known.
+    pub(crate) fn follow_closer(&mut self, place: usize) -> bool {
         let tables = self.engine.tables;
-        let program = tables.program();
-        let row = usize::from(arm.transition);
-        if arm.sequel.course.asks_more() {
-            let transition = program.transitions.get(row);
-            if transition.is_none_or(|it| !self.engine.holds_apart(it.fires)) {
-                self.stay(place);
-                return;
+        let (image, _, armed) = self.engine.memory.store.following();
+        let image = Cell::from_mut(image).as_slice_of_cells();
+        let (Some(near), Some(armed)) = (image.first_chunk(), armed.get(place)) else {
+            return false;
+        };
+        let (may_fire, row) = (armed.may_fire(near), armed.row());
+        let now = self.engine.situation_word(place);
+        if may_fire {
+            let Some(arm) = tables.program().arms.get(row) else {
+                return false;
+            };
+            if self.engine.fires_apart(arm.transition) {
+                self.mark(usize::from(arm.transition), false);
+                self.put_next(place, now, arm.course.enters());
+                self.engine.memory.put_armed(place, arm.next);
+                return true;
             }
         }
-        self.mark(row, false);
-        let now = self.engine.situation_word(place);
-        self.put_next(place, now, arm.sequel.course.enters());
-        let next = self.engine.armed_by(arm.sequel.next);
-        self.engine.memory.put_armed(place, next);
-    }
-
-    /// Nothing fires in a word.
-    #[inline(always)]
-    fn stay(&mut self, place: usize) {
-        let now = self.engine.situation_word(place);
         if let Some(word) = self.engine.memory.store.before_mut().get_mut(place) {
             *word = now;
         }
-    }
-}
-
-/// Finds out what is armed.
-struct Finding<'e, P, M> {
-    engine: &'e mut Engine<P, M>,
-    armed: Armed,
-}
-
-impl<P: Compiled, M: Memory> VisitSteps for Finding<'_, P, M> {
-    fn groups(&self, row: usize) -> u32 {
-        self.engine.memory.members(Set::Lively, row)
-    }
-
-    fn choose(&mut self, place: usize, _: &Block) -> u32 {
-        self.armed = Armed::UNKNOWN;
-        let now = self.engine.situation_word(place);
-        if now.is_power_of_two() { now } else { 0 }
-    }
-
-    fn step(&mut self, step: &Step) {
-        let tables = self.engine.tables;
-        let arms = step.arms().of(tables.program().arms);
-        if arms.iter().any(|arm| !arm.sequel.course.is_free()) {
-            self.armed = self.engine.armed_by(step.first_arm);
-        }
-    }
-
-    fn leave(&mut self, place: usize) {
-        self.engine.memory.put_armed(place, self.armed);
+        true
     }
 }

@@ -18,13 +18,6 @@ pub(crate) enum Set {
 }
 
 impl<M: Memory> Bank<M> {
-    /// What is armed in a word of situations, as far as that is known.
-    #[inline(always)]
-    pub(crate) fn armed(&self, place: usize) -> Armed {
-        let armed = self.store.armed().get(place);
-        armed.copied().unwrap_or(Armed::UNKNOWN)
-    }
-
     /// Notes what is armed in a word of situations. Whoever writes such a word says so.
     #[inline(always)]
     pub(crate) fn put_armed(&mut self, place: usize, now: Armed) {
@@ -64,6 +57,9 @@ impl<M: Memory> Bank<M> {
     /// Takes a group of words of situations out of the set, if nothing is active in any of them, nor was.
     #[inline(never)]
     pub(crate) fn let_sleep(&mut self, group: usize) {
+        if !self.has_sets() {
+            return;
+        }
         let armed = self.store.armed().chunks(GROUP).nth(group);
         if armed.is_none_or(|armed| armed.iter().any(|it| *it != Armed::NOTHING)) {
             return;

@@ -5,6 +5,7 @@
 //! outside another one, a bit outside the image or code that needs more stack than there is does not build.
 //! Everything here is a `const fn` and linear in the size of the program.
 
+mod actors;
 mod asked;
 mod code;
 mod exchange;
@@ -29,6 +30,8 @@ pub enum Unsound {
     Hierarchy,
     /// A step points outside a table.
     Steps,
+    /// What groups of steps do is said otherwise.
+    Actors,
     /// A macro step points outside its graph.
     Macros,
     /// A transition joins what is no step of its graph, or points outside a table.
@@ -78,6 +81,7 @@ impl Unsound {
             Unsound::Graphs => "the table of graphs is unsound",
             Unsound::Hierarchy => "the hierarchy of the graphs is unsound",
             Unsound::Steps => "the table of steps is unsound",
+            Unsound::Actors => "the table of what groups of steps do is unsound",
             Unsound::Macros => "the table of macro steps is unsound",
             Unsound::Transitions => "the table of transitions is unsound",
             Unsound::DoBlocks => "the table of `do` blocks is unsound",
@@ -114,7 +118,7 @@ impl Unsound {
 /// # };
 /// # const EMPTY: Program<'static> = Program {
 /// #     period_ms: 10, evolution: Evolution::Scan, fingerprint: 0, layout: LAYOUT, read_inputs: &[], reads_first_scan: false, crosses_at_once: false, marks_all: true, graphs: &[], roles: &[], hierarchy: &[],
-/// #     blocks: &[], masks: &[], steps: &[], duties: &[], macros: &[], transitions: &[], crossings: &[], do_blocks: &[], links: &[], arms: &[],
+/// #     blocks: &[], masks: &[], actors: &[], steps: &[], duties: &[], macros: &[], transitions: &[], crossings: &[], do_blocks: &[], links: &[], arms: &[],
 /// #     situations: &[], enclosings: &[], orders: &[], sources: &[], lasting_in_steps: false,
 /// #     momentary_varies: false, stores_on_change: false, stored: &[], events: &[], always_stored: Run::EMPTY, targets: &[], momentary: &[], always_momentary: Run::EMPTY,
 /// #     dependent: &[], edges: &[], watches: &[], trigger_watches: Run::EMPTY, round_watches: Run::EMPTY,
@@ -137,7 +141,7 @@ impl Unsound {
 /// # };
 /// # const EMPTY: Program<'static> = Program {
 /// #     period_ms: 10, evolution: Evolution::Scan, fingerprint: 0, layout: LAYOUT, read_inputs: &[], reads_first_scan: false, crosses_at_once: false, marks_all: true, graphs: &[], roles: &[], hierarchy: &[],
-/// #     blocks: &[], masks: &[], steps: &[], duties: &[], macros: &[], transitions: &[], crossings: &[], do_blocks: &[], links: &[], arms: &[],
+/// #     blocks: &[], masks: &[], actors: &[], steps: &[], duties: &[], macros: &[], transitions: &[], crossings: &[], do_blocks: &[], links: &[], arms: &[],
 /// #     situations: &[], enclosings: &[], orders: &[], sources: &[], lasting_in_steps: false,
 /// #     momentary_varies: false, stores_on_change: false, stored: &[], events: &[], always_stored: Run::EMPTY, targets: &[], momentary: &[], always_momentary: Run::EMPTY,
 /// #     dependent: &[], edges: &[], watches: &[], trigger_watches: Run::EMPTY, round_watches: Run::EMPTY,
@@ -194,6 +198,8 @@ impl Program<'_> {
             Some(Unsound::Duties)
         } else if !self.steps_are_sound() {
             Some(Unsound::Steps)
+        } else if !self.actors_are_sound() {
+            Some(Unsound::Actors)
         } else if !self.macros_are_sound() {
             Some(Unsound::Macros)
         } else if !self.transitions_are_sound() {
@@ -276,7 +282,9 @@ impl Program<'_> {
                 } else {
                     0
                 }
-            && (layout.armed == 0 || layout.armed == layout.situations.len)
+            && (layout.armed == 0
+                || layout.with_armed().armed == layout.armed
+                    && layout.with_armed().words == layout.words)
             && (layout.sets == 0 || layout.sets as usize == layout.set_words())
             && layout.remembered as usize
                 == if self.enclosings.is_empty() && matches!(self.evolution, Evolution::Scan) {

@@ -42,7 +42,7 @@ impl Vectors {
             standings: vec![Standing::FREE; usize::from(layout.standings)],
             shown: vec![0; usize::from(layout.shown)],
             sets: vec![0; usize::from(layout.sets)],
-            armed: vec![Armed::UNKNOWN; usize::from(layout.armed)],
+            armed: vec![Armed::NOTHING; usize::from(layout.armed)],
         }
     }
 }

@@ -20,13 +20,13 @@ pub trait VisitSteps {
     }
     /// The groups of words to be looked at, of 32 neighbouring ones. Only loops ask for them.
     fn groups(&self, row: usize) -> u32;
-    /// Visits neighbouring words from one on, as long as it is known what is armed in them, and gives the first of which
-    /// it is not. Only loops ask for it.
-    fn follow(&mut self, from: usize, _end: usize) -> usize {
-        from
+    /// Visits groups of words as long as it is known what is armed in them, and gives the first word of which it is not,
+    /// in a group that has been taken. Only loops ask for it.
+    fn follow(&mut self, groups: &mut Groups) -> Option<usize> {
+        groups.next().map(|group| group * GROUP)
     }
-    /// Passes over a word in which nothing is active and nothing was. Only loops ask for it.
-    fn passes(&mut self, _place: usize) -> bool {
+    /// The same for one word: whether it has been visited. Only loops ask for it.
+    fn follow_one(&mut self, _place: usize) -> bool {
         false
     }
     /// The steps to be visited, of those that share a word: those of its bits that are set.
@@ -35,6 +35,44 @@ pub trait VisitSteps {
     fn step(&mut self, step: &Step);
     /// All of a word have been visited.
     fn leave(&mut self, place: usize);
+}
+
+/// Groups of words that are still to be visited, of 32 neighbouring ones.
+#[derive(Clone, Copy, Debug)]
+pub struct Groups {
+    pub(crate) left: u32,
+    pub(crate) next: usize,
+}
+
+impl Groups {
+    /// Those that are members, of so many words.
+    #[inline(always)]
+    pub(crate) fn of(row: usize, members: u32, words: usize) -> Groups {
+        let next = row * 32;
+        let beyond = (next + 32).saturating_sub(words.div_ceil(GROUP));
+        Groups {
+            left: members & u32::MAX.checked_shr(beyond as u32).unwrap_or(0),
+            next,
+        }
+    }
+}
+
+impl Iterator for Groups {
+    type Item = usize;
+
+    #[inline(always)]
+    fn next(&mut self) -> Option<usize> {
+        while self.left != 0 {
+            let group = self.next;
+            let is_member = self.left & 1 != 0;
+            self.left >>= 1;
+            self.next += 1;
+            if is_member {
+                return Some(group);
+            }
+        }
+        None
+    }
 }
 
 /// Visits rows one after the other.
@@ -69,23 +107,18 @@ pub(crate) fn each<P: Compiled, T>(rows: &[T], visit: &mut impl Visit<T>) {
 #[inline(always)]
 pub(crate) fn loop_over_steps(blocks: &[Block], steps: &[Step], visit: &mut impl VisitSteps) {
     for row in 0..rows(blocks.len()) {
-        let mut groups = visit.groups(row);
-        while groups != 0 {
-            // Neighbours are looked at in one go.
-            let first = groups.trailing_zeros();
-            let behind = first + (groups >> first).trailing_ones();
-            groups &= u32::MAX.checked_shl(behind).unwrap_or(0);
-            let word = |group: u32| blocks.len().min((row * 32 + group as usize) * GROUP);
-            let (mut place, end) = (word(first), word(behind));
-            loop {
-                place = visit.follow(place, end);
-                if place >= end {
-                    break;
-                }
-                if let Some(block) = blocks.get(place) {
+        let members = visit.groups(row);
+        if members == 0 {
+            continue;
+        }
+        let mut groups = Groups::of(row, members, blocks.len());
+        while let Some(first) = visit.follow(&mut groups) {
+            for place in first..blocks.len().min(groups.next * GROUP) {
+                if !visit.follow_one(place)
+                    && let Some(block) = blocks.get(place)
+                {
                     visit_word(place, block, steps, visit);
                 }
-                place += 1;
             }
         }
     }
@@ -110,9 +143,6 @@ fn look_apart(place: usize, block: &Block, steps: &[Step], visit: &mut impl Visi
 /// The same, at the place.
 #[inline(always)]
 fn look(place: usize, block: &Block, steps: &[Step], visit: &mut impl VisitSteps) {
-    if visit.passes(place) {
-        return;
-    }
     for bit in set_bits_of(visit.choose(place, block)) {
         if let Some(step) = steps.get(usize::from(block.first) + bit) {
             visit.step(step);

@@ -2,9 +2,9 @@
 
 use grafcet_core::Engine;
 use grafcet_core::program::{
-    Arm, Bit, Block, Condition, Course, Crossing, Duties, Edges, Evolution, Graph, Layout, Masks,
-    Momentary, NumberRow, Preset, Program, Rest, Role, Run, Seen, Sequel, Stamp, Step, Target,
-    Term, Timer, Transition,
+    Arm, Armed, Bit, Block, Condition, Course, Crossing, Duties, Edges, Evolution, Graph, Layout,
+    Masks, Momentary, NumberRow, Preset, Program, Rest, Role, Run, Seen, Stamp, Step, Target, Term,
+    Timer, Transition,
 };
 
 const A: Bit = Bit(32);
@@ -14,6 +14,18 @@ const M: Bit = Bit(96);
 const fn run(start: u16, len: u16) -> Run {
     Run { start, len }
 }
+
+/// `↑a`.
+const PRESSED: Term = Term {
+    word: 5,
+    mask: 1,
+    state: 1,
+};
+const ALWAYS: Term = Term {
+    word: 0,
+    mask: 0,
+    state: 0,
+};
 
 const NOTHING: Duties = Duties {
     stored: Run::EMPTY,
@@ -37,7 +49,7 @@ static PROGRAM: Program<'static> = Program {
     evolution: Evolution::Scan,
     fingerprint: 0,
     layout: Layout {
-        words: 6,
+        words: 32,
         inputs: run(1, 1),
         situations: run(2, 1),
         macros: Run::EMPTY,
@@ -54,7 +66,7 @@ static PROGRAM: Program<'static> = Program {
         standings: 0,
         shown: 0,
         sets: 0,
-        armed: 1,
+        armed: 8,
         before: 1,
     },
     read_inputs: &[1],
@@ -79,6 +91,7 @@ static PROGRAM: Program<'static> = Program {
         timed: 0b10,
         ..Masks::NONE
     }],
+    actors: &[],
     steps: &[
         Step {
             first_arm: 0,
@@ -106,21 +119,23 @@ static PROGRAM: Program<'static> = Program {
     transitions: &[
         Transition {
             fires: 0,
+            term: 0,
             crossing: 0,
-            actions: 0,
         },
         Transition {
             fires: 1,
+            term: 1,
             crossing: 1,
-            actions: 0,
         },
     ],
     crossings: &[
         Crossing::Within {
+            actions: 0,
             leaves: 0b01,
             enters: 0b10,
         },
         Crossing::Within {
+            actions: 0,
             leaves: 0b10,
             enters: 0b01,
         },
@@ -130,21 +145,15 @@ static PROGRAM: Program<'static> = Program {
     arms: &[
         Arm {
             transition: 0,
-            term: 0,
-            sequel: Sequel {
-                next: 1,
-                shows: 0,
-                course: Course::to(1, false),
-            },
+            course: Course::to(1, true),
+            shows: 0,
+            next: Armed::by(1, &ALWAYS, true),
         },
         Arm {
             transition: 1,
-            term: 1,
-            sequel: Sequel {
-                next: 0,
-                shows: 1,
-                course: Course::to(0, true),
-            },
+            course: Course::to(0, true),
+            shows: 1,
+            next: Armed::by(0, &PRESSED, false),
         },
     ],
     situations: &[0b01],
@@ -181,18 +190,7 @@ static PROGRAM: Program<'static> = Program {
             rest: Rest::Elapsed(0),
         },
     ],
-    terms: &[
-        Term {
-            word: 5,
-            mask: 1,
-            state: 1,
-        },
-        Term {
-            word: 0,
-            mask: 0,
-            state: 0,
-        },
-    ],
+    terms: &[PRESSED, ALWAYS],
     timers: &[Timer::Any {
         step: X2,
         activated: Stamp(0),
@@ -208,7 +206,7 @@ static PROGRAM: Program<'static> = Program {
 const _: () = grafcet_core::soundness::demand(&PROGRAM);
 
 grafcet_core::storage!(Storage {
-    image: 6,
+    image: 32,
     numbers: 2,
     before: 1,
     before_scan: 0,
@@ -220,7 +218,7 @@ grafcet_core::storage!(Storage {
     standings: 0,
     shown: 0,
     sets: 0,
-    armed: 1
+    armed: 8
 });
 
 const _: () = assert!(Storage::is_sized_for(&PROGRAM));

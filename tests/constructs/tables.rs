@@ -119,7 +119,7 @@ fn features(program: &Program<'_>) -> [(&'static str, bool); 23] {
         ("source transition", !program.sources.is_empty()),
         (
             "first term of a transition",
-            program.arms.iter().any(|it| {
+            program.transitions.iter().any(|it| {
                 let term = program.terms.get(usize::from(it.term));
                 term.is_some_and(|term| term.mask != 0)
             }),

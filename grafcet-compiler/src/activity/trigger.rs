@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use grafcet_core::program::{Arm, Code, Op, Program, Rest, Term, Transition};
+use grafcet_core::program::{Code, Op, Program, Rest, Term, Transition};
 
 /// Ways in which things can stand that are tried; where there are more, two triggers are taken to be True together.
 const MOST_WAYS: usize = 1 << 14;
@@ -49,10 +49,10 @@ impl Thing {
 }
 
 impl Trigger {
-    /// Of a transition, with the term in its arm.
+    /// Of a transition.
     #[must_use]
-    pub fn of(program: &Program<'_>, arm: Option<&Arm>, transition: &Transition) -> Self {
-        let first = arm.and_then(|arm| program.terms.get(usize::from(arm.term)).copied());
+    pub fn of(program: &Program<'_>, transition: &Transition) -> Self {
+        let first = program.terms.get(usize::from(transition.term)).copied();
         let fires = program.condition(transition.fires);
         let terms = fires.terms.of(program.terms).iter().copied();
         let code = |row: u16| program.codes.get(usize::from(row));

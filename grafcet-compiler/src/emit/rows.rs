@@ -1,10 +1,10 @@
 //! Rows and tables as Rust expressions.
 
 use grafcet_core::program::{
-    Arm, Assignment, Bit, Block, Code, Condition, Course, Crossing, Dependent, Duties, Edge, Edges,
-    Enclosing, Event, Evolution, Forced, Graph, Layout, Macro, Masks, Momentary, Number, NumberRow,
-    Op, Order, Preset, Rest, Retained, Role, Run, Seen, Sequel, Since, Slot, Stamp, Step, Stored,
-    Target, Term, Timer, Transition, Unit, Watch,
+    Actors, Arm, Armed, Assignment, Bit, Block, Code, Condition, Course, Crossing, Dependent,
+    Duties, Edge, Edges, Enclosing, Event, Evolution, Forced, Graph, Layout, Macro, Masks,
+    Momentary, Number, NumberRow, Op, Order, Preset, Rest, Retained, Role, Run, Seen, Since, Slot,
+    Stamp, Step, Stored, Target, Term, Timer, Transition, Unit, Watch,
 };
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
@@ -32,7 +32,7 @@ macro_rules! structs {
 
 structs! {
     Tables => Program {
-        period_ms evolution fingerprint layout read_inputs reads_first_scan crosses_at_once marks_all graphs roles hierarchy blocks masks steps duties macros transitions crossings do_blocks links arms
+        period_ms evolution fingerprint layout read_inputs reads_first_scan crosses_at_once marks_all graphs roles hierarchy blocks masks actors steps duties macros transitions crossings do_blocks links arms
         situations enclosings orders sources lasting_in_steps momentary_varies stores_on_change stored events always_stored
         targets momentary always_momentary dependent edges watches trigger_watches round_watches action_watches conditions terms timers codes ops numbers
         initially_true retained
@@ -48,10 +48,11 @@ structs! {
     Step => Step { first_arm first_momentary duties arm_count momentary_count }
     Duties => Duties { stored on_activation on_deactivation on_event orders activated since }
     Block => Block { first masks momentary }
+    Actors => Actors { momentary masks }
     Masks => Masks { timed stored on_activation on_deactivation on_event forcing }
-    Arm => Arm { transition term sequel }
+    Arm => Arm { transition course shows next }
     Macro => Macro { bit graph steps activated }
-    Transition => Transition { fires crossing actions }
+    Transition => Transition { fires term crossing }
     Enclosing => Enclosing { step situation at_start }
     Order => Order { graph by rank situation condition }
     Stored => Stored { assignment condition }
@@ -79,7 +80,7 @@ macro_rules! indices {
     )*};
 }
 
-indices! { Bit Course Number Since Stamp }
+indices! { Armed Bit Course Number Since Stamp }
 
 /// A variant with named fields is the literals of its fields.
 macro_rules! variant {
@@ -169,21 +170,6 @@ impl Row for Run {
     }
 }
 
-impl Row for Sequel {
-    fn literal(&self) -> TokenStream {
-        if *self == Sequel::NONE {
-            return quote!(Sequel::NONE);
-        }
-        let Sequel {
-            next,
-            shows,
-            course,
-        } = self;
-        let (next, shows, course) = (next.literal(), shows.literal(), course.literal());
-        quote!(Sequel { next: #next, shows: #shows, course: #course })
-    }
-}
-
 impl Row for Slot {
     fn literal(&self) -> TokenStream {
         match self {
@@ -225,8 +211,24 @@ impl Row for Rest {
 impl Row for Crossing {
     fn literal(&self) -> TokenStream {
         match self {
-            Crossing::Within { leaves, enters } => variant!(Crossing::Within { leaves, enters }),
-            Crossing::Across { entrance, exit } => variant!(Crossing::Across { entrance, exit }),
+            Crossing::Within {
+                actions,
+                leaves,
+                enters,
+            } => variant!(Crossing::Within {
+                actions,
+                leaves,
+                enters
+            }),
+            Crossing::Across {
+                actions,
+                entrance,
+                exit,
+            } => variant!(Crossing::Across {
+                actions,
+                entrance,
+                exit
+            }),
         }
     }
 }

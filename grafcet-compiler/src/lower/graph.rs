@@ -54,7 +54,6 @@ impl Lowering<'_> {
 
     fn transition(&mut self, id: TransitionId) -> Transition {
         let transition = &self.model[id];
-        let crossing = self.crossing(transition);
         let (node, span) = match &transition.trigger {
             Trigger::Always | Trigger::Unknown => (Node::Constant(1), self.model.span),
             Trigger::Expression(trigger) => {
@@ -68,19 +67,21 @@ impl Lowering<'_> {
             .map(|step| self.places.bit(Atom::Step(*step)))
             .collect();
         let fires = self.pool.headed(&others, &node, span);
-        self.rows.firsts.push(fires.first);
         let actions = self.stored(&transition.action.stored, self.change());
+        let actions = self.rows.do_blocks.row(actions);
+        let crossing = self.crossing(transition, actions);
         Transition {
             fires: fires.condition,
+            term: fires.first,
             crossing: self.rows.crossings.row(crossing),
-            actions: self.rows.do_blocks.row(actions),
         }
     }
 
-    fn crossing(&mut self, transition: &model::Transition) -> Crossing {
+    fn crossing(&mut self, transition: &model::Transition, actions: u16) -> Crossing {
         let own = &self.model[transition.graph].steps;
         if own.len() > 32 {
             return Crossing::Across {
+                actions,
                 entrance: self.link(own.start, &transition.entrance),
                 exit: self.link(own.start, &transition.exit),
             };
@@ -90,6 +91,7 @@ impl Lowering<'_> {
             bits.fold(0, |mask, bit: u32| mask | bit)
         };
         Crossing::Within {
+            actions,
             leaves: mask(&transition.entrance),
             enters: mask(&transition.exit),
         }

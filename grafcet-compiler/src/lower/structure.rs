@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use grafcet_core::program::{
-    Arm, Block, Duties, Graph, Macro, Masks, Role, Run, Sequel, Since, Stamp, Step,
+    Arm, Block, Duties, Graph, Macro, Masks, Role, Run, Since, Stamp, Step,
 };
 
 use super::atoms::Atom;
@@ -68,7 +68,7 @@ impl Lowering<'_> {
                     .unwrap_or_default();
                 let start = structure.arms.len();
                 let armed = armed.get(&step).into_iter().flatten();
-                structure.arms.extend(armed.map(|row| self.arm(*row)));
+                structure.arms.extend(armed.map(|row| Arm::alone(*row)));
                 let activated = activations.get(&Atom::Step(step)).copied();
                 let (arms, momentary) = (structure.arms.len() - start, runs.momentary.len);
                 self.limit_step(step, arms, usize::from(momentary));
@@ -86,7 +86,7 @@ impl Lowering<'_> {
             }
             structure
                 .arms
-                .extend(sources.iter().map(|row| self.arm(*row)));
+                .extend(sources.iter().map(|row| Arm::alone(*row)));
             let own = graph.steps.start - first_step..graph.steps.end - first_step;
             let steps = structure.steps.get(own.clone()).unwrap_or_default();
             let words = steps.chunks(32).zip(own.step_by(32));
@@ -143,16 +143,6 @@ impl Lowering<'_> {
             .filter(|(count, _)| *count > MOST_OF_A_STEP);
         let beyond = beyond.map(|(count, what)| too_many(count, what, span));
         self.pool.beyond.extend(beyond);
-    }
-
-    fn arm(&self, transition: u16) -> Arm {
-        let first = self.rows.firsts.get(usize::from(transition));
-        Arm {
-            transition,
-            term: first.copied().unwrap_or_default(),
-            // Known when all steps are.
-            sequel: Sequel::NONE,
-        }
     }
 
     fn hierarchy(&self) -> Vec<u16> {

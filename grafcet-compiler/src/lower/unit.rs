@@ -59,8 +59,6 @@ pub(super) struct Rows {
     pub transitions: Vec<Transition>,
     pub crossings: Shared<Crossing>,
     pub do_blocks: Shared<Run>,
-    /// The first term of each transition, as a row of the terms.
-    pub firsts: Vec<u16>,
     /// What each step does, in the order of the steps.
     pub steps: Vec<StepRuns>,
     pub dependent: Vec<Dependent>,
@@ -198,6 +196,7 @@ impl<'m> Lowering<'m> {
             hierarchy: structure.hierarchy,
             blocks: structure.blocks,
             masks: structure.masks,
+            actors: Vec::new(),
             steps: structure.steps,
             lasting_in_steps: structure.duties.iter().any(|row| row.stored.len > 0),
             momentary_varies: !rows.dependent.is_empty()
@@ -206,7 +205,7 @@ impl<'m> Lowering<'m> {
                 .duties
                 .iter()
                 .any(|row| row.on_activation.len > 0 || row.on_deactivation.len > 0)
-                || rows.transitions.iter().any(|row| row.actions > 0),
+                || rows.do_blocks.rows.len() > 1,
             duties: structure.duties,
             macros: structure.macros,
             transitions: rows.transitions,
@@ -250,10 +249,13 @@ impl<'m> Lowering<'m> {
             return Err(beyond);
         }
         sequence::join(&mut tables);
-        tables.layout.armed = match emit::is_unrolled(&tables.program()) {
-            true => 0,
-            false => tables.layout.situations.len,
-        };
+        if !emit::is_unrolled(&tables.program()) {
+            let program = tables.program();
+            tables.actors = (0..program.actor_rows())
+                .map(|row| program.actors_of(row))
+                .collect();
+            tables.layout = tables.layout.with_armed();
+        }
         tables.read_inputs = reads::inputs(&tables);
         tables.reads_first_scan = reads::first_scan(&tables);
         tables.crosses_at_once = tables.program().can_cross_at_once();

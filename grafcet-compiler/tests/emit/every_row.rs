@@ -13,7 +13,8 @@ use grafcet_core::program::{
 };
 
 use self::structure::{
-    BLOCKS, across, arm, blocks, duties, graphs, masks, roles, step, transition, within,
+    BLOCKS, FIRST_TERMS, across, arm, blocks, duties, graphs, masks, roles, step, transition,
+    within,
 };
 
 #[path = "structure.rs"]
@@ -126,7 +127,7 @@ fn stable(tables: Tables) -> Tables {
 }
 
 fn tables() -> Tables {
-    Tables {
+    let mut tables = Tables {
         period_ms: 10,
         evolution: Evolution::Scan,
         fingerprint: 0xfeed_beef,
@@ -160,6 +161,7 @@ fn tables() -> Tables {
         hierarchy: vec![0, 1, 2],
         blocks: blocks(),
         masks: BLOCKS.map(masks).to_vec(),
+        actors: vec![],
         steps: (0..37).map(step).collect(),
         duties: duties(),
         macros: vec![Macro {
@@ -248,11 +250,7 @@ fn tables() -> Tables {
             only(Rest::Running(1)),
             only(Rest::Code(2)),
         ],
-        terms: vec![
-            term(1, 0x8000_0001, 1),
-            term(1, 0x4000_0001, 1),
-            term(0, 0, 0),
-        ],
+        terms: vec![term(1, 0x8000_0001, 1), FIRST_TERMS[0], FIRST_TERMS[1]],
         timers: vec![
             timer(Preset::Constant(500)),
             timer(Preset::Number(Number(3), PresetUnit::Seconds)),
@@ -281,7 +279,9 @@ fn tables() -> Tables {
                 key: 2,
             },
         ],
-    }
+    };
+    tables.actors = vec![tables.program().actors_of(0)];
+    tables
 }
 
 fn term(word: u16, mask: u32, state: u32) -> Term {

@@ -1,7 +1,7 @@
 //! The graphs of that controller.
 
 use grafcet_core::program::{
-    Arm, Block, Course, Crossing, Duties, Graph, Masks, Role, Run, Sequel, Since, Stamp, Step,
+    Arm, Armed, Block, Course, Crossing, Duties, Graph, Masks, Role, Run, Since, Stamp, Step, Term,
     Transition,
 };
 
@@ -103,28 +103,48 @@ pub fn duties() -> Vec<Duties> {
     ]
 }
 
+/// The first terms of the first two transitions.
+pub const FIRST_TERMS: [Term; 2] = [
+    Term {
+        word: 1,
+        mask: 0x4000_0001,
+        state: 1,
+    },
+    Term {
+        word: 0,
+        mask: 0,
+        state: 0,
+    },
+];
+
 pub fn arm(transition: u16) -> Arm {
-    Arm {
-        transition,
-        term: 1 + transition.min(1),
-        sequel: match transition {
-            // From the first step of the first graph to its second one, and back.
-            0 | 1 => Sequel {
-                next: 1 - transition,
-                shows: 1,
-                course: Course::to(1 - transition as u8, true),
-            },
-            _ => Sequel::NONE,
+    match transition {
+        // From the first step of the first graph to its second one, and back.
+        0 | 1 => Arm {
+            transition,
+            course: Course::to(1 - transition as u8, false),
+            shows: 1,
+            next: Armed::by(
+                1 - transition,
+                &FIRST_TERMS[1 - usize::from(transition)],
+                true,
+            ),
         },
+        _ => Arm::alone(transition),
     }
 }
 
 pub fn within(leaves: u32, enters: u32) -> Crossing {
-    Crossing::Within { leaves, enters }
+    Crossing::Within {
+        actions: 1,
+        leaves,
+        enters,
+    }
 }
 
 pub fn across(entrance: u16, exit: u16) -> Crossing {
     Crossing::Across {
+        actions: 1,
         entrance: run(entrance, 1),
         exit: run(exit, 1),
     }
@@ -133,7 +153,7 @@ pub fn across(entrance: u16, exit: u16) -> Crossing {
 pub fn transition(crossing: u16, fires: u16) -> Transition {
     Transition {
         fires,
+        term: 1 + crossing.min(1),
         crossing,
-        actions: 1,
     }
 }

@@ -59,17 +59,14 @@ fn condition(tables: &Tables, row: u16) -> Condition {
     tables.conditions[usize::from(row)]
 }
 
-/// What the first step that a transition leaves asks for: the term in its arm, and those behind it.
+/// What the first step that a transition leaves asks for: its first term, and those behind it.
 fn terms_of(tables: &Tables, transition: u16) -> Vec<Term> {
-    let mut arms = tables.arms.iter();
-    let Some(arm) = arms.find(|arm| arm.transition == transition) else {
-        panic!("nothing arms transition {transition}");
-    };
-    let first = tables.terms[usize::from(arm.term)];
-    let fires = condition(tables, tables.transitions[usize::from(transition)].fires);
+    let transition = tables.transitions[usize::from(transition)];
+    let first = tables.terms[usize::from(transition.term)];
+    let fires = condition(tables, transition.fires);
     let behind = fires.terms.of(&tables.terms).iter().copied();
     let first = (first.mask != 0).then_some(first);
-    // What is behind an arm without a term would be looked at without need.
+    // What is behind a first term that always holds would be looked at without need.
     assert!(first.is_some() || fires.terms.len == 0);
     first.into_iter().chain(behind).collect()
 }

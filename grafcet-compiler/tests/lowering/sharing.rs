@@ -21,7 +21,7 @@ fn equal_conditions_share_their_rows() {
 }
 
 #[test]
-fn the_first_term_of_a_transition_is_in_its_arm_alone() {
+fn the_first_term_of_a_transition_is_named_by_it_alone() {
     let tables = graph("initial step 1\ntransition 1: 1 -> 1 when a AND NOT b");
     assert_eq!(tables.terms.len(), 1);
     assert_eq!(tables.conditions, [Condition::ALWAYS]);
@@ -30,7 +30,7 @@ fn the_first_term_of_a_transition_is_in_its_arm_alone() {
     let behind = Run { start: 0, len: 1 };
     assert_eq!(tables.terms.len(), 2);
     assert_eq!(tables.conditions[1].terms, behind);
-    assert_eq!(tables.arms[0].term, 1);
+    assert_eq!(tables.transitions[0].term, 1);
 }
 
 #[test]
@@ -135,7 +135,8 @@ fn a_step_without_statements_has_the_first_row_behind_others_too() {
          transition 1: 1 -> 2 when a do { n = 3 }; transition 2: 2 -> 1 when a",
     );
     assert_eq!(tables.steps[1].duties, 0);
-    assert_eq!(tables.transitions[1].actions, 0);
+    let crossing = tables.program().crossing(&tables.transitions[1]);
+    assert_eq!(crossing.actions(), 0);
 }
 
 #[test]
@@ -181,6 +182,7 @@ fn a_graph_of_one_word_needs_no_links() {
     let small = chain(32);
     assert!(small.links.is_empty());
     let last = Crossing::Within {
+        actions: 0,
         leaves: 1 << 30,
         enters: 1 << 31,
     };

@@ -24,7 +24,11 @@ fn a_transition_is_armed_by_its_first_entrance_step_or_by_its_graph() {
     assert_eq!(transitions(role(&tables, 0).sources), [1]);
     assert_eq!(tables.sources, [0]);
     let crossings: Vec<Crossing> = crossings(&tables);
-    let within = |(leaves, enters)| Crossing::Within { leaves, enters };
+    let within = |(leaves, enters)| Crossing::Within {
+        actions: 0,
+        leaves,
+        enters,
+    };
     assert_eq!(
         crossings,
         [(0b011, 0b100), (0, 0b001), (0b100, 0), (0b001, 0b110)].map(within)
@@ -61,7 +65,11 @@ fn a_macro_step_is_entered_at_its_entry_and_left_at_its_exit() {
          transition 1: 1 -> M5\ntransition 3: M5 -> 1",
     );
     let crossings: Vec<Crossing> = crossings(&tables);
-    let within = |(leaves, enters)| Crossing::Within { leaves, enters };
+    let within = |(leaves, enters)| Crossing::Within {
+        actions: 0,
+        leaves,
+        enters,
+    };
     assert_eq!(
         crossings,
         [(0b100, 0b010), (0b001, 0b100), (0b010, 0b001)].map(within)

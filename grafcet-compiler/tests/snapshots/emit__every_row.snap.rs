@@ -135,6 +135,19 @@ pub static PROGRAM: Program<'static> = Program {
             forcing: 0,
         },
     ],
+    actors: &[
+        Actors {
+            momentary: 1,
+            masks: Masks {
+                timed: 1,
+                stored: 1,
+                on_activation: 1,
+                on_deactivation: 1,
+                on_event: 1,
+                forcing: 1,
+            },
+        },
+    ],
     steps: &[
         Step {
             first_arm: 0,
@@ -436,48 +449,53 @@ pub static PROGRAM: Program<'static> = Program {
     transitions: &[
         Transition {
             fires: 1,
+            term: 1,
             crossing: 0,
-            actions: 1,
         },
         Transition {
             fires: 2,
+            term: 2,
             crossing: 1,
-            actions: 1,
         },
         Transition {
             fires: 0,
+            term: 2,
             crossing: 2,
-            actions: 1,
         },
         Transition {
             fires: 3,
+            term: 2,
             crossing: 3,
-            actions: 1,
         },
         Transition {
             fires: 4,
+            term: 2,
             crossing: 4,
-            actions: 1,
         },
     ],
     crossings: &[
         Crossing::Within {
+            actions: 1,
             leaves: 1,
             enters: 2,
         },
         Crossing::Within {
+            actions: 1,
             leaves: 2,
             enters: 1,
         },
         Crossing::Within {
+            actions: 1,
             leaves: 0,
             enters: 1,
         },
         Crossing::Across {
+            actions: 1,
             entrance: Run { start: 0, len: 1 },
             exit: Run { start: 1, len: 1 },
         },
         Crossing::Across {
+            actions: 1,
             entrance: Run { start: 1, len: 1 },
             exit: Run { start: 0, len: 1 },
         },
@@ -487,36 +505,33 @@ pub static PROGRAM: Program<'static> = Program {
     arms: &[
         Arm {
             transition: 0,
-            term: 1,
-            sequel: Sequel {
-                next: 1,
-                shows: 1,
-                course: Course(33),
-            },
+            course: Course(63),
+            shows: 1,
+            next: Armed(3145770),
         },
         Arm {
             transition: 1,
-            term: 2,
-            sequel: Sequel {
-                next: 0,
-                shows: 1,
-                course: Course(32),
-            },
+            course: Course(32),
+            shows: 1,
+            next: Armed(135266315),
         },
         Arm {
             transition: 2,
-            term: 2,
-            sequel: Sequel::NONE,
+            course: Course(255),
+            shows: 0,
+            next: Armed(4194282),
         },
         Arm {
             transition: 3,
-            term: 2,
-            sequel: Sequel::NONE,
+            course: Course(255),
+            shows: 0,
+            next: Armed(4194282),
         },
         Arm {
             transition: 4,
-            term: 2,
-            sequel: Sequel::NONE,
+            course: Course(255),
+            shows: 0,
+            next: Armed(4194282),
         },
     ],
     situations: &[1, 1, 5, 1, 0],
@@ -1199,6 +1214,19 @@ pub static PLANTS: [PlantTables; 1] = [
                     forcing: 0,
                 },
             ],
+            actors: &[
+                Actors {
+                    momentary: 1,
+                    masks: Masks {
+                        timed: 1,
+                        stored: 1,
+                        on_activation: 1,
+                        on_deactivation: 1,
+                        on_event: 1,
+                        forcing: 1,
+                    },
+                },
+            ],
             steps: &[
                 Step {
                     first_arm: 0,
@@ -1500,48 +1528,53 @@ pub static PLANTS: [PlantTables; 1] = [
             transitions: &[
                 Transition {
                     fires: 1,
+                    term: 1,
                     crossing: 0,
-                    actions: 1,
                 },
                 Transition {
                     fires: 2,
+                    term: 2,
                     crossing: 1,
-                    actions: 1,
                 },
                 Transition {
                     fires: 0,
+                    term: 2,
                     crossing: 2,
-                    actions: 1,
                 },
                 Transition {
                     fires: 3,
+                    term: 2,
                     crossing: 3,
-                    actions: 1,
                 },
                 Transition {
                     fires: 4,
+                    term: 2,
                     crossing: 4,
-                    actions: 1,
                 },
             ],
             crossings: &[
                 Crossing::Within {
+                    actions: 1,
                     leaves: 1,
                     enters: 2,
                 },
                 Crossing::Within {
+                    actions: 1,
                     leaves: 2,
                     enters: 1,
                 },
                 Crossing::Within {
+                    actions: 1,
                     leaves: 0,
                     enters: 1,
                 },
                 Crossing::Across {
+                    actions: 1,
                     entrance: Run { start: 0, len: 1 },
                     exit: Run { start: 1, len: 1 },
                 },
                 Crossing::Across {
+                    actions: 1,
                     entrance: Run { start: 1, len: 1 },
                     exit: Run { start: 0, len: 1 },
                 },
@@ -1551,36 +1584,33 @@ pub static PLANTS: [PlantTables; 1] = [
             arms: &[
                 Arm {
                     transition: 0,
-                    term: 1,
-                    sequel: Sequel {
-                        next: 1,
-                        shows: 1,
-                        course: Course(33),
-                    },
+                    course: Course(63),
+                    shows: 1,
+                    next: Armed(3145770),
                 },
                 Arm {
                     transition: 1,
-                    term: 2,
-                    sequel: Sequel {
-                        next: 0,
-                        shows: 1,
-                        course: Course(32),
-                    },
+                    course: Course(32),
+                    shows: 1,
+                    next: Armed(135266315),
                 },
                 Arm {
                     transition: 2,
-                    term: 2,
-                    sequel: Sequel::NONE,
+                    course: Course(255),
+                    shows: 0,
+                    next: Armed(4194282),
                 },
                 Arm {
                     transition: 3,
-                    term: 2,
-                    sequel: Sequel::NONE,
+                    course: Course(255),
+                    shows: 0,
+                    next: Armed(4194282),
                 },
                 Arm {
                     transition: 4,
-                    term: 2,
-                    sequel: Sequel::NONE,
+                    course: Course(255),
+                    shows: 0,
+                    next: Armed(4194282),
                 },
             ],
             situations: &[1, 1, 5, 1, 0],

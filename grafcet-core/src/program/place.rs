@@ -12,6 +12,8 @@ impl Bit {
     pub const UNSTABLE: Bit = Bit(1);
     /// `System:recovered`.
     pub const RECOVERED: Bit = Bit(2);
+    /// What is never True: the last of the word of `System`.
+    pub(crate) const NEVER: Bit = Bit(31);
 
     /// Index of the word of the image.
     #[must_use]

@@ -1,6 +1,6 @@
 //! The rows of the tables: graphs, steps, transitions, orders and statements.
 
-use super::{Bit, Code, Condition, Number, Run, Sequel, Since, Slot, Stamp};
+use super::{Armed, Bit, Code, Condition, Course, Number, Run, Since, Slot, Stamp};
 
 /// A graph: a run of steps, a run of transitions and the words of its situation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -167,34 +167,49 @@ impl Masks {
     };
 }
 
-/// A transition as its first entrance step sees it: armed, unless its first term says otherwise.
+/// What groups of words of steps do: eight neighbouring words are a group, and have a bit in each of these masks when one
+/// of their steps does it. For 32 neighbouring groups.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Actors {
+    /// The groups in which a step has momentary actions.
+    pub momentary: u32,
+    /// Those in which a step does something else.
+    pub masks: Masks,
+}
+
+/// A transition as its first entrance step sees it, or as its graph does when it has none.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Arm {
     /// Row of [`Program::transitions`](super::Program::transitions).
     pub transition: u16,
-    /// Row of [`Program::terms`](super::Program::terms): the first term of all that the transition asks for beside that step.
-    pub term: u16,
-    /// How it goes on behind the transition when the step stands in a sequence.
-    pub sequel: Sequel,
+    /// Which step the transition enters, when the step that arms it stands in a sequence.
+    pub course: Course,
+    /// What that step shows, when it stands in a sequence: [`Arm::SHOWS_NOTHING`], [`Arm::SHOWS_MORE`], or the row of
+    /// [`Program::targets`](super::Program::targets), counted from 1, that it shows whatever holds.
+    pub shows: u8,
+    /// What is armed behind the transition, when the step stands in a sequence.
+    pub next: Armed,
 }
 
 /// A transition.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Transition {
     /// Row of [`Program::conditions`](super::Program::conditions): when it fires while its first entrance step is
-    /// active - the other entrance steps, and the trigger. The terms go on behind the one in its [`Arm`].
+    /// active - the other entrance steps, and the trigger. The terms go on behind the first one.
     pub fires: u16,
-    /// Row of [`Program::crossings`](super::Program::crossings): what firing does to the situation.
+    /// Row of [`Program::terms`](super::Program::terms): the first term of all that it asks for beside that step.
+    pub term: u16,
+    /// Row of [`Program::crossings`](super::Program::crossings): what firing does.
     pub crossing: u16,
-    /// Row of [`Program::do_blocks`](super::Program::do_blocks). Row 0 is that of a transition without one.
-    pub actions: u16,
 }
 
-/// The steps that a transition leaves and enters.
+/// The steps that a transition leaves and enters, and what it does on the way. Most transitions of a program share these.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Crossing {
     /// In a graph whose steps share one word.
     Within {
+        /// Row of [`Program::do_blocks`](super::Program::do_blocks). Row 0 is that of a transition without one.
+        actions: u16,
         /// The entrance steps.
         leaves: u32,
         /// The exit steps.
@@ -202,6 +217,8 @@ pub enum Crossing {
     },
     /// In a graph with more steps.
     Across {
+        /// The same.
+        actions: u16,
         /// Rows of [`Program::links`](super::Program::links): the entrance steps.
         entrance: Run,
         /// Rows of [`Program::links`](super::Program::links): the exit steps.
@@ -212,9 +229,19 @@ pub enum Crossing {
 impl Crossing {
     /// Stays where it is: what a row means that is not there, which no row of a checked program is.
     pub(crate) const NONE: Crossing = Crossing::Within {
+        actions: 0,
         leaves: 0,
         enters: 0,
     };
+
+    /// Its `do` block.
+    #[must_use]
+    #[inline(always)]
+    pub const fn actions(self) -> usize {
+        match self {
+            Crossing::Within { actions, .. } | Crossing::Across { actions, .. } => actions as usize,
+        }
+    }
 }
 
 /// A step that encloses a graph.

@@ -29,8 +29,8 @@ impl Program<'_> {
             return true;
         }
         let mut i = 0;
-        while i < self.transitions.len() {
-            if self.transitions[i].actions > 0 {
+        while i < self.crossings.len() {
+            if self.crossings[i].actions() > 0 {
                 return true;
             }
             i += 1;

@@ -28,9 +28,9 @@ impl Program<'_> {
         let word = graph.first_word + place / 32;
         let mut i = arms.start as usize;
         while i < arms.end() {
-            let arm = &self.arms[i];
-            if self.is_earlier(self.terms[arm.term as usize].word, word)
-                || !self.sees_no_earlier(&self.transitions[arm.transition as usize], word)
+            let transition = &self.transitions[self.arms[i].transition as usize];
+            if self.is_earlier(self.terms[transition.term as usize].word, word)
+                || !self.sees_no_earlier(transition, word)
             {
                 return false;
             }

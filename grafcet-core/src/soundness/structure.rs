@@ -128,9 +128,7 @@ impl Program<'_> {
         let mut i = 0;
         while i < self.arms.len() {
             let arm = &self.arms[i];
-            if arm.transition as usize >= self.transitions.len()
-                || arm.term as usize >= self.terms.len()
-            {
+            if arm.transition as usize >= self.transitions.len() {
                 return false;
             }
             i += 1;
@@ -203,7 +201,7 @@ impl Program<'_> {
                 let sound = (transition.crossing as usize) < self.crossings.len()
                     && self.crossing_is_sound(graph, self.crossings[transition.crossing as usize])
                     && self.condition_row_is_sound(transition.fires)
-                    && (transition.actions as usize) < self.do_blocks.len();
+                    && (transition.term as usize) < self.terms.len();
                 if !sound {
                     return false;
                 }
@@ -215,8 +213,11 @@ impl Program<'_> {
     }
 
     const fn crossing_is_sound(&self, graph: &Graph, crossing: Crossing) -> bool {
+        if crossing.actions() >= self.do_blocks.len() {
+            return false;
+        }
         match crossing {
-            Crossing::Within { leaves, enters } => {
+            Crossing::Within { leaves, enters, .. } => {
                 let unused = if graph.steps.len >= 32 {
                     0
                 } else {
@@ -224,7 +225,7 @@ impl Program<'_> {
                 };
                 graph.words().len <= 1 && (leaves | enters) & unused == 0
             }
-            Crossing::Across { entrance, exit } => {
+            Crossing::Across { entrance, exit, .. } => {
                 graph.words().len > 1
                     && self.links_are_steps_of(graph, entrance)
                     && self.links_are_steps_of(graph, exit)

@@ -87,7 +87,8 @@ fn a_program_has_the_memory_that_its_way_of_working_needs_and_no_more() {
         standings = 2 => Layout;
         shown = 1 => Layout;
         sets = 1 => Layout;
-        armed = 3 => Layout;
+        armed = 4 => Layout;
+        armed = 8 => Layout;
         before = 0 => Layout;
         before = 4 => Layout;
         // One block for each word with steps.
@@ -100,6 +101,12 @@ fn a_program_has_the_memory_that_its_way_of_working_needs_and_no_more() {
         ..GOOD
     };
     assert_eq!(alone.unsoundness(), Some(Unsound::Layout));
+    let large = Program {
+        layout: GOOD.layout.with_armed(),
+        ..GOOD
+    };
+    assert_eq!(large.unsoundness(), None);
+    assert_eq!((large.layout.words, large.layout.armed), (32, 8));
     let stable = |passed| Program {
         evolution: Evolution::Stable,
         edges: &[],
@@ -361,18 +368,18 @@ fn a_storage_fits_exactly_its_program() {
             Storage::is_sized_for(&GOOD)
         }};
     }
-    assert!(fits!(13 4 5 5 1 0 2 4 2 3 0 0 4));
-    assert!(!fits!(12 4 5 5 1 0 2 4 2 3 0 0 4));
-    assert!(!fits!(13 3 5 5 1 0 2 4 2 3 0 0 4));
-    assert!(!fits!(13 4 4 5 1 0 2 4 2 3 0 0 4));
-    assert!(!fits!(13 4 5 4 1 0 2 4 2 3 0 0 4));
-    assert!(!fits!(13 4 5 5 2 0 2 4 2 3 0 0 4));
-    assert!(!fits!(13 4 5 5 1 1 2 4 2 3 0 0 4));
-    assert!(!fits!(13 4 5 5 1 0 1 4 2 3 0 0 4));
-    assert!(!fits!(13 4 5 5 1 0 2 5 2 3 0 0 4));
-    assert!(!fits!(13 4 5 5 1 0 2 4 1 3 0 0 4));
-    assert!(!fits!(13 4 5 5 1 0 2 4 2 2 0 0 4));
-    assert!(!fits!(13 4 5 5 1 0 2 4 2 3 1 0 4));
-    assert!(!fits!(13 4 5 5 1 0 2 4 2 3 0 1 4));
-    assert!(!fits!(13 4 5 5 1 0 2 4 2 3 0 0 3));
+    assert!(fits!(13 4 5 5 1 0 2 4 2 3 0 0 0));
+    assert!(!fits!(12 4 5 5 1 0 2 4 2 3 0 0 0));
+    assert!(!fits!(13 3 5 5 1 0 2 4 2 3 0 0 0));
+    assert!(!fits!(13 4 4 5 1 0 2 4 2 3 0 0 0));
+    assert!(!fits!(13 4 5 4 1 0 2 4 2 3 0 0 0));
+    assert!(!fits!(13 4 5 5 2 0 2 4 2 3 0 0 0));
+    assert!(!fits!(13 4 5 5 1 1 2 4 2 3 0 0 0));
+    assert!(!fits!(13 4 5 5 1 0 1 4 2 3 0 0 0));
+    assert!(!fits!(13 4 5 5 1 0 2 5 2 3 0 0 0));
+    assert!(!fits!(13 4 5 5 1 0 2 4 1 3 0 0 0));
+    assert!(!fits!(13 4 5 5 1 0 2 4 2 2 0 0 0));
+    assert!(!fits!(13 4 5 5 1 0 2 4 2 3 1 0 0));
+    assert!(!fits!(13 4 5 5 1 0 2 4 2 3 0 1 0));
+    assert!(!fits!(13 4 5 5 1 0 2 4 2 3 0 0 8));
 }

@@ -1,7 +1,7 @@
 //! The most that one graph takes, and the situation in which it does.
 
 use grafcet_compiler::activity::Activity;
-use grafcet_core::program::{Graph, Sequel, Step};
+use grafcet_core::program::{Arm, Armed, Graph, Step};
 
 use super::rows::Rows;
 use super::work::{Cpu, Kind, Work};
@@ -49,8 +49,8 @@ impl Acting<'_> {
         let program = self.rows.program;
         let active = &self.activity.steps;
         let goes_on = |place| {
-            self.sequel(place)
-                .is_some_and(|it| it.next != Sequel::NO_NEXT)
+            self.only_arm(place)
+                .is_some_and(|it| it.next != Armed::UNKNOWN)
         };
         program.layout.armed > 0
             && self.can_be_active()
@@ -61,10 +61,10 @@ impl Acting<'_> {
             && (0..active.size()).all(|place| !active.are(place, place) || goes_on(place))
     }
 
-    /// How it goes on behind a step.
-    fn sequel(&self, place: usize) -> Option<Sequel> {
+    /// What a step arms that stands in a sequence.
+    fn only_arm(&self, place: usize) -> Option<&Arm> {
         let arms = self.step(place)?.arms().of(self.rows.program.arms);
-        arms.first().map(|arm| arm.sequel)
+        arms.first()
     }
 
     /// The most that it takes on a processor.
@@ -143,7 +143,7 @@ impl Acting<'_> {
         let rows = self.rows;
         let duties = rows.duties(step);
         let arms = match self.is_followed() {
-            true => Work::one(Kind::Followed) + rows.more_than_terms(step.arms()),
+            true => rows.followed(step.arms()),
             false => rows.visit(rows.arms(step.arms(), true)),
         };
         arms + rows.visit(duties.map_or(Work::NONE, |duties| rows.events(duties)))
@@ -158,11 +158,11 @@ impl Acting<'_> {
         let duties = rows.duties(step);
         let orders = duties.map_or(Work::NONE, |it| rows.visit(rows.orders(it.orders)));
         let momentary = || rows.visit(rows.momentary(step.momentary()));
-        let shown = match (self.is_followed(), self.sequel(place)) {
-            (true, Some(sequel)) => match sequel.shows {
-                Sequel::SHOWS_NOTHING => Work::one(Kind::Followed),
-                Sequel::SHOWS_MORE => Work::one(Kind::WordLooped) + momentary(),
-                _ => Work::one(Kind::Followed) + Work::one(Kind::FollowedShown),
+        let shown = match (self.is_followed(), self.only_arm(place)) {
+            (true, Some(arm)) => match arm.shows {
+                Arm::SHOWS_NOTHING => Work::one(Kind::FollowedPassed),
+                Arm::SHOWS_MORE => Work::one(Kind::WordLooped) + momentary(),
+                _ => Work::one(Kind::FollowedShown),
             },
             _ => momentary(),
         };

@@ -2,8 +2,8 @@
 
 use grafcet_compiler::emit;
 use grafcet_core::program::{
-    Assignment, Code, Condition, Crossing, Duties, Graph, Momentary, Op, Order, Program, Rest, Run,
-    Step, Stored, Timer, Transition, Watch,
+    Armed, Assignment, Code, Condition, Crossing, Duties, Graph, Momentary, Op, Order, Program,
+    Rest, Run, Step, Stored, Timer, Transition, Watch,
 };
 
 use super::work::{Kind, Work};
@@ -112,14 +112,22 @@ impl<'p> Rows<'p> {
         })
     }
 
-    /// What transitions ask for beside their first terms.
-    pub fn more_than_terms(self, run: Run) -> Work {
+    /// What it takes to look whether transitions fire of which it is known that they are armed.
+    pub fn followed(self, run: Run) -> Work {
         let arms = run.of(self.program.arms).iter();
         let transitions = arms.map(|arm| self.program.transitions.get(usize::from(arm.transition)));
-        let fires = transitions
-            .flatten()
-            .map(|it| self.program.condition(it.fires));
-        fires.map(|it| self.condition(&it, false)).sum()
+        let look = |transition: &Transition| {
+            let first = self.program.terms.get(usize::from(transition.term));
+            let armed = first.map(|first| Armed::by(0, first, transition.fires > 0));
+            match armed.is_some_and(Armed::is_plain) {
+                true => Work::one(Kind::Followed),
+                false => {
+                    Work::one(Kind::FollowedCloser)
+                        + self.condition(&self.program.condition(transition.fires), false)
+                }
+            }
+        };
+        transitions.flatten().map(look).sum()
     }
 
     /// What the firing of a transition takes itself.
@@ -127,7 +135,7 @@ impl<'p> Rows<'p> {
         let links = match self.program.crossing(transition) {
             Crossing::Within { .. } => 0,
             // Their graph is searched for by halves, which takes less for both than a link.
-            Crossing::Across { entrance, exit } => {
+            Crossing::Across { entrance, exit, .. } => {
                 let halves = self.program.graphs.len().max(1).ilog2() as usize + 1;
                 usize::from(entrance.len + exit.len) + halves
             }

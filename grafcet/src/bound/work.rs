@@ -165,14 +165,18 @@ kinds! {
     Sets 200 200 160
     /// A step is visited in a large program.
     VisitLooped 250 250 200
-    /// On a walk of a large program it is known what is armed in a word, and nothing more is done.
-    Followed 381 157 107
+    /// In a word of a large program it is known what is armed, and one Boolean says whether it fires.
+    Followed 200 130 100
+    /// There it takes more than a Boolean.
+    FollowedCloser 1000 800 600
     /// A transition fires there.
-    FollowedFire 450 449 401
+    FollowedFire 450 230 200
+    /// It is known of a word that nothing is to be shown.
+    FollowedPassed 200 180 150
     /// It is noted that it does.
     FollowedMark 450 450 400
     /// There is something to be shown.
-    FollowedShown 180 180 150
+    FollowedShown 600 600 500
 }
 
 /// How often what is done.

@@ -124,7 +124,10 @@ impl<'a> Comparison<'a> {
 
     /// Runs both and keeps the rows of the trace.
     fn compare(&self, stimulus: &[Scan], rows: &mut Vec<Vec<String>>) -> Result<Tally, Failure> {
-        let tables = Tables::of(self.unit.tables.program());
+        let program = self.unit.tables.program();
+        let actors = (0..program.actor_rows()).map(|row| program.actors_of(row));
+        let actors: Vec<_> = actors.collect();
+        let tables = Tables::of(program, &actors);
         let mut engine = Twins::new(&tables);
         let mut machine = Machine::new(self.reference);
         let mut inputs: BTreeMap<&String, i32> = self.inputs.keys().map(|name| (name, 0)).collect();

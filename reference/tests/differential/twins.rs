@@ -4,7 +4,7 @@
 
 use grafcet_compiler::emit::{Walk, Word};
 use grafcet_core::Engine;
-use grafcet_core::program::{Bit, Compiled, Layout, Program, Slot, VisitSteps};
+use grafcet_core::program::{Actors, Bit, Compiled, Layout, Program, Slot, VisitSteps};
 use grafcet_core::vectors::Vectors;
 
 /// A host may leap over any time, an image scans periodically: so far at most, in ms.
@@ -17,14 +17,18 @@ pub struct Tables<'t> {
 }
 
 impl<'t> Tables<'t> {
-    pub fn of(tables: Program<'t>) -> Self {
+    /// The tables with what their groups of words do.
+    pub fn of(tables: Program<'t>, actors: &'t [Actors]) -> Self {
         let sets = u16::try_from(tables.layout.set_words()).unwrap_or(0);
         let layout = Layout {
             sets,
-            armed: tables.layout.situations.len,
-            ..tables.layout
+            ..tables.layout.with_armed()
         };
-        let large = Program { layout, ..tables };
+        let large = Program {
+            layout,
+            actors,
+            ..tables
+        };
         Tables {
             looped: [tables, large, large.unwatched()],
             walk: Walk::of(&tables),
@@ -117,9 +121,9 @@ impl<'t> Twins<'t> {
     pub fn agree(&self) -> bool {
         let [one, other, unwatched] = &self.looped;
         let written_out = self.written_out.as_ref();
-        let outcome = (one.image(), one.numbers());
         are_alike(one, other)
-            && outcome == (unwatched.image(), unwatched.numbers())
+            && without_end(one.image().to_vec()) == without_end(unwatched.image().to_vec())
+            && one.numbers() == unwatched.numbers()
             && written_out.is_none_or(|other| are_alike(one, other))
     }
 
@@ -173,15 +177,23 @@ fn are_alike<P: Compiled, Q: Compiled>(
                 && one.steps_before(graph).eq(other.steps_before(graph))
                 && one.graph_forced(graph) == other.graph_forced(graph)
         })
-        && bits(one).eq(bits(other))
+        && bits(one) == bits(other)
 }
 
 /// All Booleans, but for `System:first_scan` where nobody reads it: an image does not keep it then.
-fn bits<P: Compiled>(engine: &Engine<P, Vectors>) -> impl Iterator<Item = u32> + '_ {
-    let unread = match engine.program().reads_first_scan {
-        true => 0,
-        false => 1 << Bit::FIRST_SCAN.0,
-    };
-    let words = engine.image().iter().enumerate();
-    words.map(move |(place, word)| if place == 0 { word & !unread } else { *word })
+fn bits<P: Compiled>(engine: &Engine<P, Vectors>) -> Vec<u32> {
+    let mut words = engine.image().to_vec();
+    if let Some(system) = words.first_mut()
+        && !engine.program().reads_first_scan
+    {
+        *system &= !Bit::FIRST_SCAN.mask();
+    }
+    without_end(words)
+}
+
+/// Words without those at their end that hold nothing: the image of a large program has more of them.
+fn without_end(mut words: Vec<u32>) -> Vec<u32> {
+    let last = words.iter().rposition(|word| *word != 0);
+    words.truncate(last.map_or(0, |last| last + 1));
+    words
 }

@@ -1,9 +1,7 @@
 //! What is kept for the next scan.
 
-use std::vec;
-
 use super::*;
-use crate::program::{Course, Duties, Program, Sequel};
+use crate::program::{Actors, Arm, Armed, Course, Duties, Masks, Program, Term};
 
 #[test]
 fn what_the_program_asks_of_the_scan_before_is_kept() {
@@ -17,7 +15,7 @@ fn what_the_program_asks_of_the_scan_before_is_kept() {
         enclosings: &[],
         orders: &[],
         sources: &[],
-        transitions: &GOOD.transitions[..1],
+        crossings: &GOOD.crossings[..1],
         duties: &[],
         layout: Layout {
             macros: Run::EMPTY,
@@ -44,7 +42,7 @@ fn what_the_program_asks_of_the_scan_before_is_kept() {
     assert!(refused(with_duty(&GOOD.duties[2..3])));
     assert!(!refused(with_duty(&GOOD.duties[3..4])));
     let fires = Program {
-        transitions: &GOOD.transitions[1..2],
+        crossings: &GOOD.crossings[1..2],
         ..free(1, 0, &[])
     };
     assert!(refused(fires));
@@ -53,24 +51,44 @@ fn what_the_program_asks_of_the_scan_before_is_kept() {
 #[test]
 fn arms_say_how_it_goes_on_behind_their_steps() {
     refused! {
-        arms[0].sequel = Sequel::NONE => Sequences;
-        arms[0].sequel.next = 1 => Sequences;
-        arms[0].sequel.shows = Sequel::SHOWS_NOTHING => Sequences;
-        arms[0].sequel.course = Course::to(2, true) => Sequences;
-        arms[0].sequel.course = Course::to(1, false) => Sequences;
-        arms[1].sequel.course = Course::to(2, false) => Sequences;
-        arms[2].sequel.course = Course::to(0, false) => Sequences;
-        arms[3].sequel.shows = 1 => Sequences;
+        arms[0] = Arm::alone(0) => Sequences;
+        arms[0].next = Armed::by(1, &ALWAYS, false) => Sequences;
+        arms[0].shows = Arm::SHOWS_NOTHING => Sequences;
+        arms[0].course = Course::to(2, true) => Sequences;
+        arms[0].course = Course::to(1, false) => Sequences;
+        arms[1].course = Course::to(2, false) => Sequences;
+        arms[2].course = Course::to(0, false) => Sequences;
+        arms[3].shows = 1 => Sequences;
     }
 }
 
 #[test]
-fn what_is_not_known_is_no_row() {
-    let terms = vec![GOOD.terms[1]; 65_536];
-    let program = |rows: usize| Program {
-        terms: &terms[..rows],
-        ..GOOD
+fn groups_of_words_do_what_their_steps_do() {
+    let with = |actors: &[Actors]| {
+        let program = Program { actors, ..GOOD };
+        program.unsoundness()
     };
-    assert_eq!(program(65_535).unsoundness(), None);
-    assert_eq!(program(65_536).unsoundness(), Some(Unsound::Sequences));
+    let actors = GOOD.actors_of(0);
+    assert_eq!(with(&[actors]), None);
+    assert_eq!(with(&[actors, actors]), Some(Unsound::Actors));
+    let more = |masks| Actors { masks, ..actors };
+    for other in [
+        Actors {
+            momentary: 0,
+            ..actors
+        },
+        more(Masks::NONE),
+        more(Masks {
+            on_event: !actors.masks.on_event,
+            ..actors.masks
+        }),
+    ] {
+        assert_eq!(with(&[other]), Some(Unsound::Actors));
+    }
 }
+
+const ALWAYS: Term = Term {
+    word: 0,
+    mask: 0,
+    state: 0,
+};

@@ -1,10 +1,10 @@
 //! One good program that uses every table.
 
 use crate::program::{
-    Arm, Assignment, Bit, Block, Code, Condition, Course, Crossing, Dependent, Duties, Edge, Edges,
-    Enclosing, Event, Evolution, Forced, Graph, Layout, Macro, Masks, Momentary, Number, NumberRow,
-    Op, Order, Preset, Program, Rest, Retained, Role, Run, Seen, Sequel, Since, Slot, Stamp, Step,
-    Stored, Target, Term, Timer, Transition, Unit, Watch,
+    Arm, Armed, Assignment, Bit, Block, Code, Condition, Course, Crossing, Dependent, Duties, Edge,
+    Edges, Enclosing, Event, Evolution, Forced, Graph, Layout, Macro, Masks, Momentary, Number,
+    NumberRow, Op, Order, Preset, Program, Rest, Retained, Role, Run, Seen, Since, Slot, Stamp,
+    Step, Stored, Target, Term, Timer, Transition, Unit, Watch,
 };
 
 pub(super) const fn run(start: u16, len: u16) -> Run {
@@ -59,14 +59,6 @@ const GRAPH: Graph = Graph {
     role: 0,
 };
 
-const fn arm(transition: u16) -> Arm {
-    Arm {
-        transition,
-        term: 1,
-        sequel: Sequel::NONE,
-    }
-}
-
 const fn block(first: u16) -> Block {
     Block {
         first,
@@ -75,20 +67,28 @@ const fn block(first: u16) -> Block {
     }
 }
 
-const fn transition(fires: u16, crossing: u16, actions: u16) -> Transition {
+const fn transition(fires: u16, term: u16, crossing: u16) -> Transition {
     Transition {
         fires,
+        term,
         crossing,
-        actions,
     }
 }
 
 pub(super) const fn within(leaves: u32, enters: u32) -> Crossing {
-    Crossing::Within { leaves, enters }
+    Crossing::Within {
+        actions: 0,
+        leaves,
+        enters,
+    }
 }
 
 pub(super) const fn across(entrance: Run, exit: Run) -> Crossing {
-    Crossing::Across { entrance, exit }
+    Crossing::Across {
+        actions: 0,
+        entrance,
+        exit,
+    }
 }
 
 /// `x < 5`.
@@ -144,7 +144,7 @@ pub(super) const GOOD: Program<'static> = Program {
         standings: 3,
         shown: 0,
         sets: 0,
-        armed: 4,
+        armed: 0,
         before: 5,
     },
     read_inputs: &[0b111],
@@ -208,6 +208,7 @@ pub(super) const GOOD: Program<'static> = Program {
             forcing: 0b100,
         },
     ],
+    actors: &[],
     steps: &STEPS,
     duties: &[
         NOTHING,
@@ -234,15 +235,19 @@ pub(super) const GOOD: Program<'static> = Program {
         activated: None,
     }],
     transitions: &[
-        transition(2, 0, 0),
+        transition(2, 2, 0),
         transition(1, 1, 1),
-        transition(0, 2, 0),
-        transition(3, 3, 0),
-        transition(4, 4, 0),
+        transition(0, 1, 2),
+        transition(3, 1, 3),
+        transition(4, 1, 4),
     ],
     crossings: &[
         within(0b001, 0b010),
-        within(0b010, 0b101),
+        Crossing::Within {
+            actions: 1,
+            leaves: 0b010,
+            enters: 0b101,
+        },
         within(0, 0b1),
         across(run(0, 1), run(1, 1)),
         across(run(1, 1), run(0, 1)),
@@ -252,17 +257,14 @@ pub(super) const GOOD: Program<'static> = Program {
     arms: &[
         Arm {
             transition: 0,
-            term: 2,
-            sequel: Sequel {
-                next: Sequel::NO_NEXT,
-                shows: 1,
-                course: Course::to(1, true),
-            },
+            course: Course::to(1, true),
+            shows: 1,
+            next: Armed::UNKNOWN,
         },
-        arm(1),
-        arm(2),
-        arm(3),
-        arm(4),
+        Arm::alone(1),
+        Arm::alone(2),
+        Arm::alone(3),
+        Arm::alone(4),
     ],
     situations: &[0b001, 0b1, 0b101, 0b1, 0b0],
     enclosings: &[Enclosing {

@@ -1,6 +1,7 @@
 //! Graphs, their steps and transitions, and the hierarchy.
 
 use super::*;
+use crate::program::Crossing;
 
 #[test]
 fn graphs_share_out_their_steps_transitions_and_words() {
@@ -96,7 +97,6 @@ fn the_hierarchy_names_every_graph_once() {
 fn an_arm_is_of_a_transition_that_leaves_its_step() {
     refused! {
         arms[0].transition = 5 => Arms;
-        arms[0].term = 3 => Arms;
         // Of another graph, of another step, of a step although it leaves none, of none although it leaves one.
         arms[0].transition = 2 => Arms;
         arms[0].transition = 1 => Arms;
@@ -152,7 +152,8 @@ fn a_transition_stays_within_the_tables() {
     refused! {
         transitions[0].fires = 5 => Transitions;
         transitions[0].crossing = 5 => Transitions;
-        transitions[0].actions = 2 => Transitions;
+        transitions[0].term = 3 => Transitions;
+        crossings[0] = Crossing::Within { actions: 2, leaves: 1, enters: 2 } => Transitions;
     }
 }
 
