@@ -324,7 +324,7 @@ impl<P: Compiled, M: Memory> VisitSteps for Showing<'_, P, M> {
 
     #[inline(always)]
     fn follow(&mut self, groups: &mut Groups) -> Option<usize> {
-        while let Some(group) = groups.next() {
+        for group in groups {
             let unknown = self.show_group(group * GROUP);
             if unknown.is_some() {
                 return unknown;

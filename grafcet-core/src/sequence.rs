@@ -195,8 +195,8 @@ fn look_on<P: Compiled>(
         before,
         taken: Taken::NONE,
     };
-    let mut place = first;
-    for (armed, situation) in armed.iter_mut().zip(situations) {
+    let words = armed.iter_mut().zip(situations);
+    for (place, (armed, situation)) in (first..).zip(words) {
         if !following.look(place, armed, situation) {
             match look_closer(program, image, *armed) {
                 Closer::Stays => following.keep(place, situation),
@@ -206,7 +206,6 @@ fn look_on<P: Compiled>(
                 Closer::Fires(_) | Closer::Unknown => return (Some(place), following.taken),
             }
         }
-        place += 1;
     }
     (None, following.taken)
 }
