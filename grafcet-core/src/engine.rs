@@ -291,7 +291,7 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
             Evolution::Stable => self.evolve_until_stable(),
         };
         self.run_lasting();
-        if moved || program.momentary_varies {
+        if moved || self.momentary_varies() {
             self.run_momentary();
         }
     }
@@ -329,8 +329,9 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
         }
         if self.has_hierarchy() {
             self.set_settling(Flag::On);
-            let bound = self.settle_hierarchy(pass);
-            moved = (moved || bound) && (self.any_fired() || self.any_changed());
+            if self.settle_hierarchy(pass) {
+                moved = self.any_fired() || self.any_changed();
+            }
         }
         if moved {
             self.note_change();

@@ -1,5 +1,7 @@
 //! Triggers and firing (`semantics.md`, phases 2 and 3; IEC 60848 rules 2 to 5).
 
+use core::hint::cold_path;
+
 use crate::bits::{bits_in_word, set_bits_of};
 use crate::engine::Engine;
 use crate::memory::Memory;
@@ -230,6 +232,21 @@ impl<P: Compiled, M: Memory> Marking<'_, P, M> {
         }
     }
 
+    /// Marks an armed transition whose trigger is True, and goes on with the next situation of its word.
+    #[inline(always)]
+    fn fires(&mut self, arm: &Arm, row: usize, transition: &Transition) {
+        let tables = self.engine.tables;
+        if !P::UNROLLED {
+            self.armed = self.engine.armed_by(arm.sequel.next);
+        }
+        let crossing = tables.program().crossing(transition);
+        self.mark(row, matches!(crossing, Crossing::Across { .. }));
+        if let Crossing::Within { leaves, enters } = crossing {
+            self.next = self.next & !(leaves & !self.enters) | enters;
+            self.enters |= enters;
+        }
+    }
+
     #[inline(always)]
     pub(crate) fn mark(&mut self, transition: usize, across: bool) {
         self.marked.any = true;
@@ -351,23 +368,20 @@ impl<P: Compiled, M: Memory> Visit<Arm> for Marking<'_, P, M> {
         if !P::UNROLLED && !arm.sequel.course.is_free() {
             self.armed = Armed::by(self.first_arm, arm.term);
         }
-        if !self.engine.term_holds(usize::from(arm.term)) {
-            return;
-        }
         let row = usize::from(arm.transition);
         let Some(transition) = program.transitions.get(row) else {
             return;
         };
-        if self.engine.holds_row(transition.fires) {
-            if !P::UNROLLED {
-                self.armed = self.engine.armed_by(arm.sequel.next);
+        // Mostly nothing fires, and what is done then lies beside the way.
+        let first_holds = self.engine.term_holds(usize::from(arm.term));
+        if transition.fires == 0 {
+            if first_holds {
+                cold_path();
+                self.fires(arm, row, transition);
             }
-            let crossing = program.crossing(transition);
-            self.mark(row, matches!(crossing, Crossing::Across { .. }));
-            if let Crossing::Within { leaves, enters } = crossing {
-                self.next = self.next & !(leaves & !self.enters) | enters;
-                self.enters |= enters;
-            }
+        } else if first_holds && self.engine.holds_row(transition.fires) {
+            cold_path();
+            self.fires(arm, row, transition);
         }
     }
 }

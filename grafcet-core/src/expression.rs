@@ -82,7 +82,7 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
             Op::Constant(value) => value,
             Op::Bit(bit) => i32::from(self.memory.bit(bit)),
             Op::Number(number) => self.memory.number(number),
-            Op::Elapsed(timer) => i32::from(self.has_elapsed(timer)),
+            Op::Elapsed(timer) => i32::from(self.has_elapsed_apart(timer)),
             Op::Not => i32::from(self.pop(depth) == 0),
             Op::Negate => {
                 let operand = self.pop(depth);

@@ -40,13 +40,33 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
     }
 
     /// Whether the timer in that row has run out.
+    #[inline(always)]
     pub(crate) fn has_elapsed(&mut self, timer: u16) -> bool {
+        let tables = self.tables;
+        match tables.program().timers.get(usize::from(timer)) {
+            // Of a row that the compiler knows hardly anything is left.
+            Some(Timer::Own { since, preset }) if P::UNROLLED && preset.is_in_ms() => {
+                let (preset, _) = self.preset(*preset);
+                self.own_elapsed(*since, u32::try_from(preset).unwrap_or(0))
+            }
+            _ => self.has_elapsed_apart(timer),
+        }
+    }
+
+    /// The same, kept apart.
+    #[inline(never)]
+    pub(crate) fn has_elapsed_apart(&mut self, timer: u16) -> bool {
         let tables = self.tables;
         let program = tables.program();
         match program.timers.get(usize::from(timer)) {
             Some(Timer::Own { since, preset }) => {
                 let (preset, unit) = self.preset(*preset);
-                self.own_elapsed(*since, preset, unit)
+                let preset = u32::try_from(preset).unwrap_or(0);
+                let preset_ms = match unit {
+                    Unit::Seconds => in_ms(preset) as u32,
+                    Unit::Milliseconds => preset,
+                };
+                self.own_elapsed(*since, preset_ms)
             }
             Some(Timer::Any {
                 step,
@@ -102,16 +122,18 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
     }
 
     /// The same for a step that is active.
-    fn own_elapsed(&mut self, since: Since, preset: i32, unit: Unit) -> bool {
-        let preset = u32::try_from(preset).unwrap_or(0);
-        let preset_ms = match unit {
-            Unit::Seconds => in_ms(preset) as u32,
-            Unit::Milliseconds => preset,
-        };
+    #[inline(always)]
+    fn own_elapsed(&mut self, since: Since, preset_ms: u32) -> bool {
         let active_ms = (self.now_ms as u32).wrapping_sub(self.memory.since(since));
-        let left_ms = preset_ms.saturating_sub(active_ms);
-        self.wait(left_ms);
-        left_ms == 0
+        match preset_ms.checked_sub(1).map(|it| it.overflowing_sub(active_ms)) {
+            Some((left_ms, false)) => {
+                if left_ms < self.quiet_ms {
+                    self.quiet_ms = left_ms + 1;
+                }
+                false
+            }
+            _ => true,
+        }
     }
 
     /// The scan in so many ms is no idle one; 0 is no time.

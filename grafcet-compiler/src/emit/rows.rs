@@ -48,7 +48,7 @@ structs! {
     Step => Step { first_arm first_momentary duties arm_count momentary_count }
     Duties => Duties { stored on_activation on_deactivation on_event orders activated since }
     Block => Block { first masks momentary }
-    Masks => Masks { timed stored on_activation on_deactivation on_event forcing }
+    Masks => Masks { timed stored on_activation on_deactivation on_event forcing varying }
     Arm => Arm { transition term sequel }
     Macro => Macro { bit graph steps activated }
     Transition => Transition { fires crossing actions }

@@ -98,6 +98,14 @@ pub enum Preset {
     Number(Number, Unit),
 }
 
+impl Preset {
+    /// Whether it is counted in milliseconds.
+    #[inline(always)]
+    pub(crate) const fn is_in_ms(self) -> bool {
+        !matches!(self, Preset::Number(_, Unit::Seconds))
+    }
+}
+
 /// Part of a conjunction: true when `image[word] & mask == state`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Term {
