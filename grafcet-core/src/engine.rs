@@ -1,5 +1,7 @@
 //! One scan at a time: the phases of `semantics.md` in their order.
 
+use core::hint::cold_path;
+
 use crate::bits::Flag;
 use crate::memory::{Bank, Memory};
 use crate::program::{Bit, Compiled, Evolution, Number, Program, Slot};
@@ -291,7 +293,10 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
             Evolution::Stable => self.evolve_until_stable(),
         };
         self.run_lasting();
-        if moved || self.momentary_varies() {
+        if moved {
+            cold_path();
+            self.run_momentary();
+        } else if self.momentary_varies() {
             self.run_momentary();
         }
     }

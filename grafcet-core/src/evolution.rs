@@ -23,7 +23,7 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
                 across: false,
             },
             now: 0,
-            next: 0,
+            change: 0,
             enters: 0,
             first_arm: 0,
             armed: Armed::UNKNOWN,
@@ -213,8 +213,8 @@ pub(crate) struct Marking<'e, P, M> {
     marked: Marked,
     /// The steps of the word that is being looked at.
     now: u32,
-    /// What the marked transitions make of it.
-    next: u32,
+    /// Those of its steps that the marked transitions make active or inactive.
+    change: u32,
     /// Those that they enter, which stay active whoever leaves them (IEC 60848 rule 5).
     enters: u32,
     /// The first arm of the step that is being looked at.
@@ -241,18 +241,30 @@ impl<P: Compiled, M: Memory> Marking<'_, P, M> {
         }
         let crossing = tables.program().crossing(transition);
         self.mark(row, matches!(crossing, Crossing::Across { .. }));
-        if let Crossing::Within { leaves, enters } = crossing {
-            self.next = self.next & !(leaves & !self.enters) | enters;
+        let Crossing::Within { leaves, enters } = crossing else {
+            return;
+        };
+        if tables.exchanges() {
+            // Every step that is left is active, and none that is entered; whatever else fires.
+            self.change |= leaves ^ enters;
+        } else {
+            let next = self.now ^ self.change;
+            let next = next & !(leaves & !self.enters) | enters;
+            self.change = next ^ self.now;
             self.enters |= enters;
         }
     }
 
     #[inline(always)]
     pub(crate) fn mark(&mut self, transition: usize, across: bool) {
-        self.marked.any = true;
-        self.marked.across |= across;
         let tables = self.engine.tables;
-        if !across && !tables.program().marks_all {
+        let program = tables.program();
+        // Otherwise it is known by the change: what changes nothing is as good as if it had not fired.
+        if !P::UNROLLED || across || program.marks_all || !program.crosses_at_once {
+            self.marked.any = true;
+        }
+        self.marked.across |= across;
+        if !across && !program.marks_all {
             return;
         }
         let memory = &mut self.engine.memory;
@@ -280,6 +292,26 @@ impl<P: Compiled, M: Memory> Marking<'_, P, M> {
         };
         if let Some(word) = memory.store.before_mut().get_mut(place) {
             *word = beside;
+        }
+    }
+
+    /// The same in a walk that is written out, where mostly nothing changes.
+    #[inline(always)]
+    fn put_change(&mut self, place: usize) {
+        let tables = self.engine.tables;
+        let program = tables.program();
+        if program.crosses_at_once {
+            if let Some(word) = self.engine.memory.store.before_mut().get_mut(place) {
+                *word = self.now;
+            }
+            if self.change != 0 {
+                cold_path();
+                let word = usize::from(program.layout.situations.start) + place;
+                self.engine.memory.put_word(word, self.now ^ self.change);
+                self.marked.any = true;
+            }
+        } else {
+            self.put_next(place, self.now, self.now ^ self.change);
         }
     }
 
@@ -332,7 +364,7 @@ impl<P: Compiled, M: Memory> VisitSteps for Marking<'_, P, M> {
     #[inline(always)]
     fn choose(&mut self, place: usize, _: &Block) -> u32 {
         self.now = self.engine.situation_word(place);
-        self.next = self.now;
+        self.change = 0;
         self.enters = 0;
         self.armed = Armed::UNKNOWN;
         self.now
@@ -346,8 +378,12 @@ impl<P: Compiled, M: Memory> VisitSteps for Marking<'_, P, M> {
 
     #[inline(always)]
     fn leave(&mut self, place: usize) {
-        let next = self.next;
-        self.put_next(place, self.now, next);
+        let next = self.now ^ self.change;
+        if P::UNROLLED {
+            self.put_change(place);
+        } else {
+            self.put_next(place, self.now, next);
+        }
         if !P::UNROLLED {
             let is_one = self.now & self.now.wrapping_sub(1) == 0;
             let armed = match (self.now | next, is_one) {

@@ -18,6 +18,8 @@ const SOME: usize = 2 * FEW;
 pub struct Walk {
     /// Of each word of situations.
     pub words: Vec<Word>,
+    /// What [`Compiled::exchanges`](grafcet_core::program::Compiled::exchanges) tells.
+    pub exchanges: bool,
 }
 
 /// In which order the steps of a word are looked for, by the bits that are theirs.
@@ -36,18 +38,37 @@ impl Walk {
     /// Over the steps of a program.
     #[must_use]
     pub fn of(program: &Program<'_>) -> Self {
+        let mut exchanges = true;
         let graphs = program.graphs.iter().enumerate();
         let words = graphs.flat_map(|(index, graph)| {
-            let together = Activity::of(program, index, graph).steps;
+            let activity = Activity::of(program, index, graph);
+            exchanges &= firing_exchanges(&activity);
+            let together = activity.steps;
             let count = usize::from(graph.steps.len);
             let starts = (0..count).step_by(32);
             let words = starts.map(|start| word(&together, graph, start..count.min(start + 32)));
             words.collect::<Vec<_>>()
         });
+        let words = words.collect();
         Walk {
-            words: words.collect(),
+            words,
+            exchanges,
         }
     }
+}
+
+/// Whether no transition of a graph enters a step that is active then, but one that it alone leaves.
+fn firing_exchanges(activity: &Activity) -> bool {
+    let firings = &activity.firings;
+    firings.iter().all(|one| {
+        one.enters.iter().all(|step| {
+            let mut leaving = firings.iter().filter(|it| it.leaves.contains(step));
+            match one.leaves.contains(step) {
+                true => leaving.all(|it| it.row == one.row),
+                false => !one.leaves.iter().all(|it| activity.steps.are(*step, *it)),
+            }
+        })
+    })
 }
 
 /// Of some steps of a graph, counted from its first one.
@@ -82,7 +103,7 @@ fn chains(together: &Together, steps: &[usize]) -> Vec<Vec<usize>> {
 
 /// The items of `Compiled` with which a program is walked over row by row.
 pub(super) fn walks(program: &Program<'_>) -> TokenStream {
-    let words = Walk::of(program).words;
+    let Walk { words, exchanges } = Walk::of(program);
     let words = words.iter().enumerate().map(|(place, word)| {
         let chains = word.chains.iter();
         let chains = chains.map(|steps| chain(word, steps, TokenStream::new()));
@@ -99,6 +120,11 @@ pub(super) fn walks(program: &Program<'_>) -> TokenStream {
     });
     quote! {
         const UNROLLED: bool = true;
+
+        #[inline(always)]
+        fn exchanges(&self) -> bool {
+            #exchanges
+        }
 
         #[inline(always)]
         fn each_step(&self, visit: &mut impl VisitSteps) {

@@ -46,6 +46,10 @@ impl Compiled for WrittenOut<'_> {
         self.program
     }
 
+    fn exchanges(&self) -> bool {
+        self.walk.exchanges
+    }
+
     fn each_step(&self, visit: &mut impl VisitSteps) {
         let blocks = self.program.blocks.iter().zip(&self.walk.words);
         for (place, (block, word)) in blocks.enumerate() {
