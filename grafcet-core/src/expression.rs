@@ -83,6 +83,10 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
             Op::Bit(bit) => i32::from(self.memory.bit(bit)),
             Op::Number(number) => self.memory.number(number),
             Op::Elapsed(timer) => i32::from(self.has_elapsed_apart(timer)),
+            Op::AndElapsed(timer) => {
+                let holds = self.pop(depth) != 0 && self.has_elapsed_apart(timer);
+                i32::from(holds)
+            }
             Op::Not => i32::from(self.pop(depth) == 0),
             Op::Negate => {
                 let operand = self.pop(depth);
@@ -165,6 +169,10 @@ impl<P: Compiled, M: Memory> Visit<Op> for Thinking<'_, P, M> {
         self.stack = match op {
             Op::Bit(bit) => stack << 1 | u32::from(self.engine.memory.bit(*bit)),
             Op::Elapsed(timer) => stack << 1 | u32::from(self.engine.has_elapsed(*timer)),
+            Op::AndElapsed(timer) => {
+                let holds = stack & 1 != 0 && self.engine.has_elapsed(*timer);
+                stack & !1 | u32::from(holds)
+            }
             Op::Not => stack ^ 1,
             Op::And => stack >> 1 & (stack | !1),
             Op::Or => stack >> 1 | stack & 1,

@@ -272,12 +272,11 @@ impl<M: Memory> Bank<M> {
         let Some(word) = self.store.image_mut().get_mut(bit.word()) else {
             return false;
         };
-        let new = if value {
-            *word | bit.mask()
-        } else {
-            *word & !bit.mask()
-        };
-        core::mem::replace(word, new) != new
+        let changes = (*word & bit.mask() != 0) != value;
+        if changes {
+            *word ^= bit.mask();
+        }
+        changes
     }
 
     pub(crate) fn clear_bit(&mut self, bit: Bit) {

@@ -327,6 +327,10 @@ impl Row for Op {
                 let timer = timer.literal();
                 quote!(Op::Elapsed(#timer))
             }
+            Op::AndElapsed(timer) => {
+                let timer = timer.literal();
+                quote!(Op::AndElapsed(#timer))
+            }
             Op::StepTimer {
                 step,
                 activated,
