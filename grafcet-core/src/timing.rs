@@ -125,15 +125,14 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
     #[inline(always)]
     fn own_elapsed(&mut self, since: Since, preset_ms: u32) -> bool {
         let active_ms = (self.now_ms as u32).wrapping_sub(self.memory.since(since));
-        match preset_ms.checked_sub(1).map(|it| it.overflowing_sub(active_ms)) {
-            Some((left_ms, false)) => {
-                if left_ms < self.quiet_ms {
-                    self.quiet_ms = left_ms + 1;
-                }
-                false
+        let runs = active_ms < preset_ms;
+        if runs {
+            let left_ms = preset_ms - active_ms;
+            if left_ms < self.quiet_ms {
+                self.quiet_ms = left_ms;
             }
-            _ => true,
         }
+        !runs
     }
 
     /// The scan in so many ms is no idle one; 0 is no time.
