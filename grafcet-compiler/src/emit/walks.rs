@@ -50,10 +50,7 @@ impl Walk {
             words.collect::<Vec<_>>()
         });
         let words = words.collect();
-        Walk {
-            words,
-            exchanges,
-        }
+        Walk { words, exchanges }
     }
 }
 
@@ -144,6 +141,14 @@ fn chain(word: &Word, steps: &[u32], otherwise: TokenStream) -> TokenStream {
         }
     };
     let visits: Vec<Choice> = steps.iter().map(visit).collect();
+    if visits.len() > 2 && visits.len() <= SOME && !otherwise.is_empty() {
+        let all = Choice {
+            mask: visits.iter().fold(0, |mask, visit| mask | visit.mask),
+            condition: None,
+            action: choose(&visits, TokenStream::new()),
+        };
+        return choose(&[all], otherwise);
+    }
     if visits.len() <= SOME {
         return choose(&visits, otherwise);
     }

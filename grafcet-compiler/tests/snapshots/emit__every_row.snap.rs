@@ -109,6 +109,7 @@ pub static PROGRAM: Program<'static> = Program {
             on_deactivation: 3,
             on_event: 3,
             forcing: 4,
+            varying: 0,
         },
         Masks {
             timed: 1,
@@ -117,6 +118,7 @@ pub static PROGRAM: Program<'static> = Program {
             on_deactivation: 1,
             on_event: 1,
             forcing: 0,
+            varying: 1,
         },
         Masks {
             timed: 4294967295,
@@ -125,6 +127,7 @@ pub static PROGRAM: Program<'static> = Program {
             on_deactivation: 4294967295,
             on_event: 4294967295,
             forcing: 0,
+            varying: 0,
         },
         Masks {
             timed: 1,
@@ -133,6 +136,7 @@ pub static PROGRAM: Program<'static> = Program {
             on_deactivation: 1,
             on_event: 1,
             forcing: 0,
+            varying: 0,
         },
     ],
     steps: &[
@@ -159,7 +163,7 @@ pub static PROGRAM: Program<'static> = Program {
         },
         Step {
             first_arm: 0,
-            first_momentary: 0,
+            first_momentary: 1,
             duties: 1,
             arm_count: 0,
             momentary_count: 1,
@@ -584,6 +588,10 @@ pub static PROGRAM: Program<'static> = Program {
             targets: Run { start: 0, len: 1 },
             condition: 0,
         },
+        Momentary {
+            targets: Run { start: 0, len: 1 },
+            condition: 1,
+        },
     ],
     always_momentary: Run::EMPTY,
     dependent: &[
@@ -720,7 +728,7 @@ pub static PROGRAM: Program<'static> = Program {
     codes: &[
         Code { start: 0, len: 3 },
         Code { start: 3, len: 4 },
-        Code { start: 7, len: 36 },
+        Code { start: 7, len: 37 },
     ],
     ops: &[
         Op::Number(Number(3)),
@@ -774,6 +782,7 @@ pub static PROGRAM: Program<'static> = Program {
         Op::Bit(Bit(0)),
         Op::And,
         Op::Not,
+        Op::AndElapsed(2),
     ],
     numbers: &[
         NumberRow {
@@ -820,6 +829,10 @@ impl Compiled for ThisProgram {
         &PROGRAM
     }
     const UNROLLED: bool = true;
+    #[inline(always)]
+    fn exchanges(&self) -> bool {
+        false
+    }
     #[inline(always)]
     fn each_step(&self, visit: &mut impl VisitSteps) {
         if let Some(block) = PROGRAM.blocks.first() {
@@ -1173,6 +1186,7 @@ pub static PLANTS: [PlantTables; 1] = [
                     on_deactivation: 3,
                     on_event: 3,
                     forcing: 4,
+                    varying: 0,
                 },
                 Masks {
                     timed: 1,
@@ -1181,6 +1195,7 @@ pub static PLANTS: [PlantTables; 1] = [
                     on_deactivation: 1,
                     on_event: 1,
                     forcing: 0,
+                    varying: 1,
                 },
                 Masks {
                     timed: 4294967295,
@@ -1189,6 +1204,7 @@ pub static PLANTS: [PlantTables; 1] = [
                     on_deactivation: 4294967295,
                     on_event: 4294967295,
                     forcing: 0,
+                    varying: 0,
                 },
                 Masks {
                     timed: 1,
@@ -1197,6 +1213,7 @@ pub static PLANTS: [PlantTables; 1] = [
                     on_deactivation: 1,
                     on_event: 1,
                     forcing: 0,
+                    varying: 0,
                 },
             ],
             steps: &[
@@ -1223,7 +1240,7 @@ pub static PLANTS: [PlantTables; 1] = [
                 },
                 Step {
                     first_arm: 0,
-                    first_momentary: 0,
+                    first_momentary: 1,
                     duties: 1,
                     arm_count: 0,
                     momentary_count: 1,
@@ -1648,6 +1665,10 @@ pub static PLANTS: [PlantTables; 1] = [
                     targets: Run { start: 0, len: 1 },
                     condition: 0,
                 },
+                Momentary {
+                    targets: Run { start: 0, len: 1 },
+                    condition: 1,
+                },
             ],
             always_momentary: Run::EMPTY,
             dependent: &[
@@ -1777,7 +1798,7 @@ pub static PLANTS: [PlantTables; 1] = [
             codes: &[
                 Code { start: 0, len: 3 },
                 Code { start: 3, len: 4 },
-                Code { start: 7, len: 36 },
+                Code { start: 7, len: 37 },
             ],
             ops: &[
                 Op::Number(Number(3)),
@@ -1831,6 +1852,7 @@ pub static PLANTS: [PlantTables; 1] = [
                 Op::Bit(Bit(0)),
                 Op::And,
                 Op::Not,
+                Op::AndElapsed(2),
             ],
             numbers: &[
                 NumberRow {
