@@ -292,12 +292,15 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
             Evolution::Scan => self.evolve_once(),
             Evolution::Stable => self.evolve_until_stable(),
         };
-        self.run_lasting();
         if moved {
             cold_path();
+            self.run_lasting();
             self.run_momentary();
-        } else if self.momentary_varies() {
-            self.run_momentary();
+        } else {
+            self.run_lasting();
+            if self.momentary_varies() {
+                self.run_momentary();
+            }
         }
     }
 
