@@ -47,7 +47,7 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
             // Of a row that the compiler knows hardly anything is left.
             Some(Timer::Own { since, preset }) if P::UNROLLED && preset.is_in_ms() => {
                 let (preset, _) = self.preset(*preset);
-                self.own_elapsed(*since, u32::try_from(preset).unwrap_or(0))
+                self.own_elapsed(*since, preset as u32)
             }
             _ => self.has_elapsed_apart(timer),
         }
@@ -61,10 +61,9 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
         match program.timers.get(usize::from(timer)) {
             Some(Timer::Own { since, preset }) => {
                 let (preset, unit) = self.preset(*preset);
-                let preset = u32::try_from(preset).unwrap_or(0);
                 let preset_ms = match unit {
-                    Unit::Seconds => in_ms(preset) as u32,
-                    Unit::Milliseconds => preset,
+                    Unit::Seconds => in_ms(preset as u32) as u32,
+                    Unit::Milliseconds => preset as u32,
                 };
                 self.own_elapsed(*since, preset_ms)
             }
@@ -81,10 +80,20 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
         }
     }
 
+    /// What has to pass. One that is below zero has always passed, as 0 has.
+    #[inline(always)]
     fn preset(&self, preset: Preset) -> (i32, Unit) {
+        let tables = self.tables;
         match preset {
-            Preset::Constant(ms) => (ms, Unit::Milliseconds),
-            Preset::Number(number, unit) => (self.memory.number(number), unit),
+            Preset::Constant(ms) => (ms.max(0), Unit::Milliseconds),
+            Preset::Number(number, unit) => {
+                let value = self.memory.number(number);
+                match tables.program().numbers.get(usize::from(number.0)) {
+                    // It stays within its range.
+                    Some(row) if row.min >= 0 => (value, unit),
+                    _ => (value.max(0), unit),
+                }
+            }
         }
     }
 
