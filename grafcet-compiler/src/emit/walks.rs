@@ -132,53 +132,69 @@ pub(super) fn walks(program: &Program<'_>) -> TokenStream {
 
 /// Visits the one of some steps that is active; when there is none does something else.
 fn chain(word: &Word, steps: &[u32], otherwise: TokenStream) -> TokenStream {
-    let visit = |bit: &u32| {
-        let (mask, row) = (1 << bit, row(usize::from(word.first) + *bit as usize));
-        Choice {
-            mask,
-            condition: Some(quote!(&& let Some(step) = PROGRAM.steps.#row)),
-            action: quote!(visit.step(step);),
-        }
+    let visits: Vec<Choice> = steps.iter().map(|bit| Choice::step(word, *bit)).collect();
+    // With one look several are passed over: to get behind all of them, or where there are many.
+    let together = match visits.len() {
+        3..=SOME if !otherwise.is_empty() => SOME,
+        ..=SOME => 1,
+        _ => FEW,
     };
-    let visits: Vec<Choice> = steps.iter().map(visit).collect();
-    if visits.len() > 2 && visits.len() <= SOME && !otherwise.is_empty() {
-        let all = Choice {
-            mask: visits.iter().fold(0, |mask, visit| mask | visit.mask),
-            condition: None,
-            action: choose(&visits, TokenStream::new()),
-        };
-        return choose(&[all], otherwise);
-    }
-    if visits.len() <= SOME {
-        return choose(&visits, otherwise);
-    }
-    // With one look several are passed over.
-    let groups = visits.chunks(FEW).map(|group| match group {
-        [only] => only.clone(),
-        group => Choice {
-            mask: group.iter().fold(0, |mask, visit| mask | visit.mask),
-            condition: None,
-            action: choose(group, TokenStream::new()),
-        },
-    });
-    choose(&groups.collect::<Vec<_>>(), otherwise)
+    let groups: Vec<Choice> = visits.chunks(together).filter_map(Choice::one_of).collect();
+    choose(&groups, otherwise)
 }
 
 /// What is done when a step of a mask is active.
 #[derive(Clone)]
 struct Choice {
     mask: u32,
-    condition: Option<TokenStream>,
+    /// The call that gets the only step, if there is but one.
+    step: Option<TokenStream>,
     action: TokenStream,
+}
+
+impl Choice {
+    /// Visits a step.
+    fn step(word: &Word, bit: u32) -> Self {
+        Choice {
+            mask: 1 << bit,
+            step: Some(row(usize::from(word.first) + bit as usize)),
+            action: quote!(visit.step(step);),
+        }
+    }
+
+    /// Does that of some which there is a step for: when it is none of the others, it is the last one.
+    fn one_of(choices: &[Choice]) -> Option<Self> {
+        match choices.split_last() {
+            Some((last, others)) if !others.is_empty() => Some(Choice {
+                mask: choices.iter().fold(0, |mask, choice| mask | choice.mask),
+                step: None,
+                action: choose(others, last.unasked()),
+            }),
+            _ => choices.first().cloned(),
+        }
+    }
+
+    /// What is done when it is known that the step is active.
+    fn unasked(&self) -> TokenStream {
+        let action = &self.action;
+        match &self.step {
+            Some(row) => quote!(if let Some(step) = PROGRAM.steps.#row { #action }),
+            None => action.clone(),
+        }
+    }
 }
 
 /// Does the first that there is a step for.
 fn choose(choices: &[Choice], otherwise: TokenStream) -> TokenStream {
     choices.iter().rev().fold(otherwise, |rest, choice| {
         let mask = Literal::u32_unsuffixed(choice.mask);
-        let (condition, action) = (&choice.condition, &choice.action);
+        let step = choice
+            .step
+            .iter()
+            .map(|row| quote!(&& let Some(step) = PROGRAM.steps.#row));
+        let action = &choice.action;
         let rest = (!rest.is_empty()).then(|| quote!(else { #rest }));
-        quote!(if steps & #mask != 0 #condition { #action } #rest)
+        quote!(if steps & #mask != 0 #(#step)* { #action } #rest)
     })
 }
 

@@ -868,7 +868,7 @@ impl Compiled for ThisProgram {
                         if steps & 4 != 0 && let Some(step) = PROGRAM.steps.get(6) {
                             visit.step(step);
                         } else {
-                            if steps & 8 != 0 && let Some(step) = PROGRAM.steps.get(7) {
+                            if let Some(step) = PROGRAM.steps.get(7) {
                                 visit.step(step);
                             }
                         }
@@ -886,9 +886,7 @@ impl Compiled for ThisProgram {
                             {
                                 visit.step(step);
                             } else {
-                                if steps & 128 != 0
-                                    && let Some(step) = PROGRAM.steps.get(11)
-                                {
+                                if let Some(step) = PROGRAM.steps.get(11) {
                                     visit.step(step);
                                 }
                             }
@@ -908,9 +906,7 @@ impl Compiled for ThisProgram {
                                 {
                                     visit.step(step);
                                 } else {
-                                    if steps & 2048 != 0
-                                        && let Some(step) = PROGRAM.steps.get(15)
-                                    {
+                                    if let Some(step) = PROGRAM.steps.get(15) {
                                         visit.step(step);
                                     }
                                 }
@@ -933,9 +929,7 @@ impl Compiled for ThisProgram {
                                     {
                                         visit.step(step);
                                     } else {
-                                        if steps & 32768 != 0
-                                            && let Some(step) = PROGRAM.steps.get(19)
-                                        {
+                                        if let Some(step) = PROGRAM.steps.get(19) {
                                             visit.step(step);
                                         }
                                     }
@@ -958,9 +952,7 @@ impl Compiled for ThisProgram {
                                         {
                                             visit.step(step);
                                         } else {
-                                            if steps & 524288 != 0
-                                                && let Some(step) = PROGRAM.steps.get(23)
-                                            {
+                                            if let Some(step) = PROGRAM.steps.get(23) {
                                                 visit.step(step);
                                             }
                                         }
@@ -983,9 +975,7 @@ impl Compiled for ThisProgram {
                                             {
                                                 visit.step(step);
                                             } else {
-                                                if steps & 8388608 != 0
-                                                    && let Some(step) = PROGRAM.steps.get(27)
-                                                {
+                                                if let Some(step) = PROGRAM.steps.get(27) {
                                                     visit.step(step);
                                                 }
                                             }
@@ -1008,9 +998,7 @@ impl Compiled for ThisProgram {
                                                 {
                                                     visit.step(step);
                                                 } else {
-                                                    if steps & 134217728 != 0
-                                                        && let Some(step) = PROGRAM.steps.get(31)
-                                                    {
+                                                    if let Some(step) = PROGRAM.steps.get(31) {
                                                         visit.step(step);
                                                     }
                                                 }
@@ -1033,9 +1021,7 @@ impl Compiled for ThisProgram {
                                                     {
                                                         visit.step(step);
                                                     } else {
-                                                        if steps & 2147483648 != 0
-                                                            && let Some(step) = PROGRAM.steps.get(35)
-                                                        {
+                                                        if let Some(step) = PROGRAM.steps.get(35) {
                                                             visit.step(step);
                                                         }
                                                     }
