@@ -13,6 +13,9 @@ pub const MAX_ROUNDS: u32 = 100;
 /// Nothing is idle for longer, in ms: 6 days.
 pub(crate) const LONG: u32 = 1 << 29;
 
+/// Statements of actions, so many at most, that there is code for twice.
+const FEW_STATEMENTS: usize = 16;
+
 /// A program and its memory.
 ///
 /// Between scans, inputs and parameters are written and everything can be read; during one, nothing else is looked
@@ -292,16 +295,24 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
             Evolution::Scan => self.evolve_once(),
             Evolution::Stable => self.evolve_until_stable(),
         };
-        if moved {
+        if moved && self.acts_little() {
             cold_path();
             self.run_lasting();
             self.run_momentary();
-        } else {
-            self.run_lasting();
-            if self.momentary_varies() {
-                self.run_momentary();
-            }
+            return;
         }
+        self.run_lasting();
+        if moved || self.momentary_varies() {
+            self.run_momentary();
+        }
+    }
+
+    /// Whether actions are so few that those of a scan in which something fires have code of their own: the other scan
+    /// then need not remember that nothing has.
+    #[inline(always)]
+    fn acts_little(&self) -> bool {
+        let program = self.program();
+        P::UNROLLED && program.stored.len() + program.momentary.len() <= FEW_STATEMENTS
     }
 
     /// Phases 2 to 6, but for the statements that follow no change. True when a transition has fired or a situation

@@ -272,9 +272,14 @@ impl<M: Memory> Bank<M> {
         let Some(word) = self.store.image_mut().get_mut(bit.word()) else {
             return false;
         };
-        let changes = (*word & bit.mask() != 0) != value;
+        let new = if value {
+            *word | bit.mask()
+        } else {
+            *word & !bit.mask()
+        };
+        let changes = *word != new;
         if changes {
-            *word ^= bit.mask();
+            *word = new;
         }
         changes
     }

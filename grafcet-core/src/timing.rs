@@ -4,6 +4,15 @@ use crate::engine::{Engine, LONG};
 use crate::memory::Memory;
 use crate::program::{Bit, Compiled, Preset, Since, Stamp, Timer, Unit};
 
+/// Where the code of timers stands, in an image of a small program.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Timers {
+    /// Where they are asked for: there the compiler knows the row, and hardly anything is left of it.
+    InPlace,
+    /// Apart, where it mostly does not.
+    Apart,
+}
+
 impl<P: Compiled, M: Memory> Engine<P, M> {
     /// A scan is at that time.
     #[inline(always)]
@@ -41,11 +50,12 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
 
     /// Whether the timer in that row has run out.
     #[inline(always)]
-    pub(crate) fn has_elapsed(&mut self, timer: u16) -> bool {
+    pub(crate) fn has_elapsed(&mut self, timer: u16, timers: Timers) -> bool {
         let tables = self.tables;
         match tables.program().timers.get(usize::from(timer)) {
-            // Of a row that the compiler knows hardly anything is left.
-            Some(Timer::Own { since, preset }) if P::UNROLLED && preset.is_in_ms() => {
+            Some(Timer::Own { since, preset })
+                if P::UNROLLED && timers == Timers::InPlace && preset.is_in_ms() =>
+            {
                 let (preset, _) = self.preset(*preset);
                 self.own_elapsed(*since, preset as u32)
             }
