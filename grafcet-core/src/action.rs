@@ -59,13 +59,19 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
         }
     }
 
+    /// Whether a walk that is written out can tell by the active steps what momentary variables become.
+    #[inline(always)]
+    pub(crate) fn shows_in_steps(&self) -> bool {
+        let program = self.program();
+        P::UNROLLED && program.always_momentary.len == 0 && program.dependent.is_empty()
+    }
+
     /// Whether momentary variables may become others while the situations stay.
     #[inline(always)]
     pub(crate) fn momentary_varies(&mut self) -> bool {
         let tables = self.tables;
         let program = tables.program();
-        let in_steps = program.always_momentary.len == 0 && program.dependent.is_empty();
-        if !P::UNROLLED || !in_steps {
+        if !self.shows_in_steps() {
             return program.momentary_varies;
         }
         let mut varying = Varying {

@@ -307,12 +307,13 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
         }
     }
 
-    /// Whether actions are so few that those of a scan in which something fires have code of their own: the other scan
-    /// then need not remember that nothing has.
+    /// Whether actions are so few, and all in steps, that those of a scan in which something fires have code of their own:
+    /// the other scan then need not remember that nothing has.
     #[inline(always)]
     fn acts_little(&self) -> bool {
         let program = self.program();
-        P::UNROLLED && program.stored.len() + program.momentary.len() <= FEW_STATEMENTS
+        let few = program.stored.len() + program.momentary.len() <= FEW_STATEMENTS;
+        few && program.always_stored.len == 0 && self.shows_in_steps()
     }
 
     /// Phases 2 to 6, but for the statements that follow no change. True when a transition has fired or a situation
