@@ -285,33 +285,16 @@ impl<P: Compiled, M: Memory> Marking<'_, P, M> {
         let program = tables.program();
         let memory = &mut self.engine.memory;
         let beside = if program.crosses_at_once {
-            memory.put_word(usize::from(program.layout.situations.start) + place, next);
+            // In a walk that is written out mostly none does.
+            if !P::UNROLLED || next != now {
+                memory.put_word(usize::from(program.layout.situations.start) + place, next);
+            }
             now
         } else {
             next
         };
         if let Some(word) = memory.store.before_mut().get_mut(place) {
             *word = beside;
-        }
-    }
-
-    /// The same in a walk that is written out, where mostly nothing changes.
-    #[inline(always)]
-    fn put_change(&mut self, place: usize) {
-        let tables = self.engine.tables;
-        let program = tables.program();
-        if program.crosses_at_once {
-            if let Some(word) = self.engine.memory.store.before_mut().get_mut(place) {
-                *word = self.now;
-            }
-            if self.change != 0 {
-                cold_path();
-                let word = usize::from(program.layout.situations.start) + place;
-                self.engine.memory.put_word(word, self.now ^ self.change);
-                self.marked.any = true;
-            }
-        } else {
-            self.put_next(place, self.now, self.now ^ self.change);
         }
     }
 
@@ -379,12 +362,13 @@ impl<P: Compiled, M: Memory> VisitSteps for Marking<'_, P, M> {
     #[inline(always)]
     fn leave(&mut self, place: usize) {
         let next = self.now ^ self.change;
+        self.put_next(place, self.now, next);
         if P::UNROLLED {
-            self.put_change(place);
+            if next != self.now {
+                cold_path();
+                self.marked.any = true;
+            }
         } else {
-            self.put_next(place, self.now, next);
-        }
-        if !P::UNROLLED {
             let is_one = self.now & self.now.wrapping_sub(1) == 0;
             let armed = match (self.now | next, is_one) {
                 (0, _) => Armed::NOTHING,
@@ -404,12 +388,16 @@ impl<P: Compiled, M: Memory> Visit<Arm> for Marking<'_, P, M> {
         if !P::UNROLLED && !arm.sequel.course.is_free() {
             self.armed = Armed::by(self.first_arm, arm.term);
         }
+        let first_holds = self.engine.term_holds(usize::from(arm.term));
+        if !P::UNROLLED && !first_holds {
+            return;
+        }
         let row = usize::from(arm.transition);
         let Some(transition) = program.transitions.get(row) else {
             return;
         };
-        // Mostly nothing fires, and what is done then lies beside the way.
-        let first_holds = self.engine.term_holds(usize::from(arm.term));
+        // Mostly nothing fires, and what is done then lies beside the way. That is said at the one comparison that
+        // decides.
         if transition.fires == 0 {
             if first_holds {
                 cold_path();

@@ -56,8 +56,7 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
             Some(Timer::Own { since, preset })
                 if P::UNROLLED && timers == Timers::InPlace && preset.is_in_ms() =>
             {
-                let (preset, _) = self.preset(*preset);
-                self.own_elapsed(*since, preset as u32)
+                self.own_elapsed(*since, self.preset_ms(*preset))
             }
             _ => self.has_elapsed_apart(timer),
         }
@@ -71,9 +70,10 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
         match program.timers.get(usize::from(timer)) {
             Some(Timer::Own { since, preset }) => {
                 let (preset, unit) = self.preset(*preset);
+                let preset = not_below_zero(preset);
                 let preset_ms = match unit {
-                    Unit::Seconds => in_ms(preset as u32) as u32,
-                    Unit::Milliseconds => preset as u32,
+                    Unit::Seconds => in_ms(preset) as u32,
+                    Unit::Milliseconds => preset,
                 };
                 self.own_elapsed(*since, preset_ms)
             }
@@ -90,20 +90,27 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
         }
     }
 
-    /// What has to pass. One that is below zero has always passed, as 0 has.
-    #[inline(always)]
     fn preset(&self, preset: Preset) -> (i32, Unit) {
-        let tables = self.tables;
         match preset {
-            Preset::Constant(ms) => (ms.max(0), Unit::Milliseconds),
-            Preset::Number(number, unit) => {
-                let value = self.memory.number(number);
-                match tables.program().numbers.get(usize::from(number.0)) {
-                    // It stays within its range.
-                    Some(row) if row.min >= 0 => (value, unit),
-                    _ => (value.max(0), unit),
-                }
+            Preset::Constant(ms) => (ms, Unit::Milliseconds),
+            Preset::Number(number, unit) => (self.memory.number(number), unit),
+        }
+    }
+
+    /// The same of a preset in ms that the compiler knows: of a number it knows the range then.
+    #[inline(always)]
+    fn preset_ms(&self, preset: Preset) -> u32 {
+        let numbers = self.program().numbers;
+        let (value, _) = self.preset(preset);
+        match preset {
+            Preset::Number(number, _)
+                if numbers
+                    .get(usize::from(number.0))
+                    .is_some_and(|row| row.min >= 0) =>
+            {
+                value as u32
             }
+            _ => not_below_zero(value),
         }
     }
 
@@ -125,8 +132,7 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
     pub(crate) fn elapsed(&mut self, risen_ms: u64, preset: i32, unit: Unit) -> bool {
         let elapsed_ms = self.now_ms.wrapping_sub(risen_ms);
         let long_ms = (elapsed_ms >> 32) as i32;
-        // A preset below zero has always passed.
-        let preset = u32::try_from(preset).unwrap_or(0);
+        let preset = not_below_zero(preset);
         let left_ms = match unit {
             Unit::Seconds => {
                 let left_ms = in_ms(preset).saturating_sub(elapsed_ms);
@@ -146,10 +152,7 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
         let active_ms = (self.now_ms as u32).wrapping_sub(self.memory.since(since));
         let runs = active_ms < preset_ms;
         if runs {
-            let left_ms = preset_ms - active_ms;
-            if left_ms < self.quiet_ms {
-                self.quiet_ms = left_ms;
-            }
+            self.wait(preset_ms - active_ms);
         }
         !runs
     }
@@ -157,10 +160,15 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
     /// The scan in so many ms is no idle one; 0 is no time.
     #[inline(always)]
     fn wait(&mut self, left_ms: u32) {
-        if left_ms > 0 {
-            self.quiet_ms = self.quiet_ms.min(left_ms);
+        if left_ms > 0 && left_ms < self.quiet_ms {
+            self.quiet_ms = left_ms;
         }
     }
+}
+
+/// A preset below zero has always passed, as 0 has.
+fn not_below_zero(preset: i32) -> u32 {
+    u32::try_from(preset).unwrap_or(0)
 }
 
 /// Kept apart: a product of 64 bits is a long call on a small processor, and few presets need it.
