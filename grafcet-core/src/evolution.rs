@@ -283,18 +283,14 @@ impl<P: Compiled, M: Memory> Marking<'_, P, M> {
     pub(crate) fn put_next(&mut self, place: usize, now: u32, next: u32) {
         let tables = self.engine.tables;
         let program = tables.program();
+        let at_once = program.crosses_at_once;
         let memory = &mut self.engine.memory;
-        let beside = if program.crosses_at_once {
-            // In a walk that is written out mostly none does.
-            if !P::UNROLLED || next != now {
-                memory.put_word(usize::from(program.layout.situations.start) + place, next);
-            }
-            now
-        } else {
-            next
-        };
         if let Some(word) = memory.store.before_mut().get_mut(place) {
-            *word = beside;
+            *word = if at_once { now } else { next };
+        }
+        // In a walk that is written out mostly nothing changes.
+        if at_once && (!P::UNROLLED || next != now) {
+            memory.put_word(usize::from(program.layout.situations.start) + place, next);
         }
     }
 
