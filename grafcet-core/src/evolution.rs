@@ -24,6 +24,7 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
             },
             now: 0,
             change: 0,
+            exchanges: false,
             enters: 0,
             first_arm: 0,
             armed: Armed::UNKNOWN,
@@ -215,6 +216,8 @@ pub(crate) struct Marking<'e, P, M> {
     now: u32,
     /// Those of its steps that the marked transitions make active or inactive.
     change: u32,
+    /// Whether they can do no more than exchange steps that are active for others.
+    exchanges: bool,
     /// Those that they enter, which stay active whoever leaves them (IEC 60848 rule 5).
     enters: u32,
     /// The first arm of the step that is being looked at.
@@ -244,7 +247,7 @@ impl<P: Compiled, M: Memory> Marking<'_, P, M> {
         let Crossing::Within { leaves, enters } = crossing else {
             return;
         };
-        if tables.exchanges() {
+        if self.exchanges {
             // Every step that is left is active, and none that is entered; whatever else fires.
             self.change |= leaves ^ enters;
         } else {
@@ -301,6 +304,7 @@ impl<P: Compiled, M: Memory> Marking<'_, P, M> {
         }
         let tables = self.engine.tables;
         self.enters = 0;
+        self.exchanges = false;
         let program = tables.program();
         self.arms(program.role(graph).sources);
         let first = program.layout.situations.start;
@@ -343,6 +347,7 @@ impl<P: Compiled, M: Memory> VisitSteps for Marking<'_, P, M> {
     #[inline(always)]
     fn choose(&mut self, place: usize, _: &Block) -> u32 {
         self.now = self.engine.situation_word(place);
+        self.exchanges = self.engine.tables.exchanges(place);
         self.change = 0;
         self.enters = 0;
         self.armed = Armed::UNKNOWN;

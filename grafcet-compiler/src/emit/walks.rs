@@ -18,8 +18,6 @@ const SOME: usize = 2 * FEW;
 pub struct Walk {
     /// Of each word of situations.
     pub words: Vec<Word>,
-    /// What [`Compiled::exchanges`](grafcet_core::program::Compiled::exchanges) tells.
-    pub exchanges: bool,
 }
 
 /// In which order the steps of a word are looked for, by the bits that are theirs.
@@ -32,25 +30,29 @@ pub struct Word {
     /// Of all others, chains of which one step can be active at a time: behind an active one nobody looks for others
     /// of its chain. Steps that can be active together stay in the order of the source.
     pub chains: Vec<Vec<u32>>,
+    /// What [`Compiled::exchanges`](grafcet_core::program::Compiled::exchanges) tells.
+    pub exchanges: bool,
 }
 
 impl Walk {
     /// Over the steps of a program.
     #[must_use]
     pub fn of(program: &Program<'_>) -> Self {
-        let mut exchanges = true;
         let graphs = program.graphs.iter().enumerate();
         let words = graphs.flat_map(|(index, graph)| {
             let activity = Activity::of(program, index, graph);
-            exchanges &= firing_exchanges(&activity);
+            let exchanges = firing_exchanges(&activity);
             let together = activity.steps;
             let count = usize::from(graph.steps.len);
             let starts = (0..count).step_by(32);
-            let words = starts.map(|start| word(&together, graph, start..count.min(start + 32)));
+            let words = starts.map(|start| Word {
+                exchanges,
+                ..word(&together, graph, start..count.min(start + 32))
+            });
             words.collect::<Vec<_>>()
         });
         let words = words.collect();
-        Walk { words, exchanges }
+        Walk { words }
     }
 }
 
@@ -80,6 +82,7 @@ fn word(together: &Together, graph: &Graph, steps: Range<usize>) -> Word {
         first: graph.steps.start + steps.start as u16,
         alone: bits(&alone),
         chains: chains(together, &others).iter().map(bits).collect(),
+        exchanges: false,
     }
 }
 
@@ -100,7 +103,11 @@ fn chains(together: &Together, steps: &[usize]) -> Vec<Vec<usize>> {
 
 /// The items of `Compiled` with which a program is walked over row by row.
 pub(super) fn walks(program: &Program<'_>) -> TokenStream {
-    let Walk { words, exchanges } = Walk::of(program);
+    let words = Walk::of(program).words;
+    let exchanging = words.iter().enumerate().filter(|(_, word)| word.exchanges);
+    let exchanging: Vec<Literal> = exchanging
+        .map(|(place, _)| Literal::usize_unsuffixed(place))
+        .collect();
     let words = words.iter().enumerate().map(|(place, word)| {
         let chains = word.chains.iter();
         let chains = chains.map(|steps| chain(word, steps, TokenStream::new()));
@@ -115,13 +122,19 @@ pub(super) fn walks(program: &Program<'_>) -> TokenStream {
             }
         }
     });
+    // Where none is, what the trait says stands.
+    let exchanges = (!exchanging.is_empty()).then(|| {
+        quote! {
+            #[inline(always)]
+            fn exchanges(&self, place: usize) -> bool {
+                matches!(place, #(#exchanging)|*)
+            }
+        }
+    });
     quote! {
         const UNROLLED: bool = true;
 
-        #[inline(always)]
-        fn exchanges(&self) -> bool {
-            #exchanges
-        }
+        #exchanges
 
         #[inline(always)]
         fn each_step(&self, visit: &mut impl VisitSteps) {

@@ -74,7 +74,7 @@ fn the_words_of_a_large_graph_are_walked_over_one_by_one() {
 
 #[test]
 fn firing_exchanges_steps_unless_one_that_is_entered_may_be_active() {
-    let exchanges = |elements: &str| Walk::of(&graph(elements).program()).exchanges;
+    let exchanges = |elements: &str| word(elements).exchanges;
     let steps = "initial step 1; step 2; step 3\n";
     let both = |one: &str, other: &str| exchanges(&format!("{steps}{one}\n{other}"));
     assert!(both(

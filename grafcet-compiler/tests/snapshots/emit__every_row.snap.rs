@@ -830,8 +830,8 @@ impl Compiled for ThisProgram {
     }
     const UNROLLED: bool = true;
     #[inline(always)]
-    fn exchanges(&self) -> bool {
-        false
+    fn exchanges(&self, place: usize) -> bool {
+        matches!(place, 0 | 2 | 3)
     }
     #[inline(always)]
     fn each_step(&self, visit: &mut impl VisitSteps) {

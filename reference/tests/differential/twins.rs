@@ -49,8 +49,8 @@ impl Compiled for WrittenOut<'_> {
         self.program
     }
 
-    fn exchanges(&self) -> bool {
-        self.walk.exchanges
+    fn exchanges(&self, place: usize) -> bool {
+        self.walk.words[place].exchanges
     }
 
     fn each_step(&self, visit: &mut impl VisitSteps) {
