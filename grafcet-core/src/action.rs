@@ -61,6 +61,29 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
         }
     }
 
+    /// Whether a walk that is written out can tell by the active steps what momentary variables become.
+    #[inline(always)]
+    pub(crate) fn shows_in_steps(&self) -> bool {
+        let program = self.program();
+        P::UNROLLED && program.always_momentary.len == 0 && program.dependent.is_empty()
+    }
+
+    /// Whether momentary variables may become others while the situations stay.
+    #[inline(always)]
+    pub(crate) fn momentary_varies(&mut self) -> bool {
+        let tables = self.tables;
+        let program = tables.program();
+        if !self.shows_in_steps() {
+            return program.momentary_varies;
+        }
+        let mut varying = Varying {
+            engine: self,
+            any: false,
+        };
+        tables.each_step(&mut varying);
+        varying.any
+    }
+
     /// Phase 7: a momentary variable is the OR of its statements, those that read others after those they read.
     #[inline(always)]
     pub(crate) fn run_momentary(&mut self) {
@@ -256,6 +279,33 @@ impl<P: Compiled, M: Memory> VisitSteps for Acting<'_, P, M> {
             }
         }
     }
+
+    #[inline(always)]
+    fn leave(&mut self, _: usize) {}
+}
+
+/// Asks whether a step with conditions in its momentary actions is active.
+struct Varying<'e, P, M> {
+    engine: &'e mut Engine<P, M>,
+    any: bool,
+}
+
+impl<P: Compiled, M: Memory> VisitSteps for Varying<'_, P, M> {
+    #[inline(always)]
+    fn groups(&self, row: usize) -> u32 {
+        self.engine.memory.members(Set::Lively, row)
+    }
+
+    #[inline(always)]
+    fn choose(&mut self, place: usize, block: &Block) -> u32 {
+        let tables = self.engine.tables;
+        let masks = tables.program().masks(block);
+        self.any |= self.engine.situation_word(place) & masks.varying != 0;
+        0
+    }
+
+    #[inline(always)]
+    fn step(&mut self, _: &Step) {}
 
     #[inline(always)]
     fn leave(&mut self, _: usize) {}

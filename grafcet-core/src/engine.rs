@@ -1,5 +1,7 @@
 //! One scan at a time: the phases of `semantics.md` in their order.
 
+use core::hint::cold_path;
+
 use crate::bits::Flag;
 use crate::evolution::Moved;
 use crate::memory::{Bank, Memory};
@@ -11,6 +13,9 @@ pub const MAX_ROUNDS: u32 = 100;
 
 /// Nothing is idle for longer, in ms: 6 days.
 pub(crate) const LONG: u32 = 1 << 29;
+
+/// Statements of actions, so many at most, that there is code for twice.
+const FEW_STATEMENTS: usize = 16;
 
 /// A program and its memory.
 ///
@@ -291,12 +296,27 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
             Evolution::Scan => self.evolve_once(),
             Evolution::Stable => self.evolve_until_stable(),
         };
+        if moved.any && self.acts_little() {
+            cold_path();
+            self.run_lasting();
+            self.run_momentary();
+            return;
+        }
         self.run_lasting();
         // Written out, what fires is mostly all that there is.
         let shows = if P::UNROLLED { moved.any } else { moved.shows };
-        if shows || program.momentary_varies {
+        if shows || self.momentary_varies() {
             self.run_momentary();
         }
+    }
+
+    /// Whether actions are so few, and all in steps, that those of a scan in which something fires have code of their own:
+    /// the other scan then need not remember that nothing has.
+    #[inline(always)]
+    fn acts_little(&self) -> bool {
+        let program = self.program();
+        let few = program.stored.len() + program.momentary.len() <= FEW_STATEMENTS;
+        few && program.always_stored.len == 0 && self.shows_in_steps()
     }
 
     /// Phases 2 to 6, but for the statements that follow no change.
@@ -334,8 +354,9 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
         }
         if self.has_hierarchy() {
             self.set_settling(Flag::On);
-            let bound = self.settle_hierarchy(pass);
-            moved.any = (moved.any || bound) && (self.any_fired() || self.any_changed());
+            if self.settle_hierarchy(pass) {
+                moved.any = self.any_fired() || self.any_changed();
+            }
             moved.shows = moved.any;
         }
         if moved.any {

@@ -1,5 +1,7 @@
 //! Triggers and firing (`semantics.md`, phases 2 and 3; IEC 60848 rules 2 to 5).
 
+use core::hint::cold_path;
+
 use crate::bits::{bits_in_word, set_bits_of};
 use crate::engine::Engine;
 use crate::memory::Memory;
@@ -22,7 +24,8 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
                 shows: false,
             },
             now: 0,
-            next: 0,
+            change: 0,
+            exchanges: false,
             enters: 0,
             only_arm: u16::MAX,
             armed: None,
@@ -257,8 +260,10 @@ pub(crate) struct Marking<'e, P, M> {
     pub(crate) marked: Marked,
     /// The steps of the word that is being looked at.
     now: u32,
-    /// What the marked transitions make of it.
-    next: u32,
+    /// Those of its steps that the marked transitions make active or inactive.
+    change: u32,
+    /// Whether they can do no more than exchange steps that are active for others.
+    exchanges: bool,
     /// Those that they enter, which stay active whoever leaves them (IEC 60848 rule 5).
     enters: u32,
     /// The only arm of the latest step that has been looked at; no row when there is none.
@@ -276,13 +281,40 @@ impl<P: Compiled, M: Memory> Marking<'_, P, M> {
         }
     }
 
+    /// Marks an armed transition whose trigger is True, and goes on with the next situation of its word.
+    #[inline(always)]
+    fn fires(&mut self, arm: &Arm, row: usize, transition: &Transition) {
+        let tables = self.engine.tables;
+        if !P::UNROLLED {
+            self.armed = Some(arm.next);
+        }
+        let crossing = tables.program().crossing(transition);
+        self.mark(row, matches!(crossing, Crossing::Across { .. }));
+        let Crossing::Within { leaves, enters, .. } = crossing else {
+            return;
+        };
+        if self.exchanges {
+            // Every step that is left is active, and none that is entered; whatever else fires.
+            self.change |= leaves ^ enters;
+        } else {
+            let next = self.now ^ self.change;
+            let next = next & !(leaves & !self.enters) | enters;
+            self.change = next ^ self.now;
+            self.enters |= enters;
+        }
+    }
+
     #[inline(always)]
     pub(crate) fn mark(&mut self, transition: usize, across: bool) {
-        self.marked.any = true;
-        self.marked.shows = true;
-        self.marked.across |= across;
         let tables = self.engine.tables;
-        if !across && !tables.program().marks_all {
+        let program = tables.program();
+        // Otherwise it is known by the change: what changes nothing is as good as if it had not fired.
+        if !P::UNROLLED || across || program.marks_all || !program.crosses_at_once {
+            self.marked.any = true;
+            self.marked.shows = true;
+        }
+        self.marked.across |= across;
+        if !across && !program.marks_all {
             return;
         }
         let memory = &mut self.engine.memory;
@@ -301,15 +333,14 @@ impl<P: Compiled, M: Memory> Marking<'_, P, M> {
     pub(crate) fn put_next(&mut self, place: usize, now: u32, next: u32) {
         let tables = self.engine.tables;
         let program = tables.program();
+        let at_once = program.crosses_at_once;
         let memory = &mut self.engine.memory;
-        let beside = if program.crosses_at_once {
-            memory.put_word(usize::from(program.layout.situations.start) + place, next);
-            now
-        } else {
-            next
-        };
         if let Some(word) = memory.store.before_mut().get_mut(place) {
-            *word = beside;
+            *word = if at_once { now } else { next };
+        }
+        // In a walk that is written out mostly nothing changes.
+        if at_once && (!P::UNROLLED || next != now) {
+            memory.put_word(usize::from(program.layout.situations.start) + place, next);
         }
     }
 
@@ -320,6 +351,7 @@ impl<P: Compiled, M: Memory> Marking<'_, P, M> {
         }
         let tables = self.engine.tables;
         self.enters = 0;
+        self.exchanges = false;
         let program = tables.program();
         self.arms(program.role(graph).sources);
         let first = program.layout.situations.start;
@@ -360,7 +392,8 @@ impl<P: Compiled, M: Memory> VisitSteps for Marking<'_, P, M> {
     #[inline(always)]
     fn choose(&mut self, place: usize, _: &Block) -> u32 {
         self.now = self.engine.situation_word(place);
-        self.next = self.now;
+        self.exchanges = self.engine.tables.exchanges(place);
+        self.change = 0;
         self.enters = 0;
         self.only_arm = u16::MAX;
         self.armed = None;
@@ -377,9 +410,14 @@ impl<P: Compiled, M: Memory> VisitSteps for Marking<'_, P, M> {
 
     #[inline(always)]
     fn leave(&mut self, place: usize) {
-        let next = self.next;
+        let next = self.now ^ self.change;
         self.put_next(place, self.now, next);
-        if !P::UNROLLED {
+        if P::UNROLLED {
+            if next != self.now {
+                cold_path();
+                self.marked.any = true;
+            }
+        } else {
             let is_one = self.now & self.now.wrapping_sub(1) == 0;
             let armed = match (self.now | next, is_one) {
                 (0, _) => Armed::NOTHING,
@@ -405,18 +443,17 @@ impl<P: Compiled, M: Memory> Visit<Arm> for Marking<'_, P, M> {
         let Some(transition) = program.transitions.get(row) else {
             return;
         };
-        if self.engine.term_holds(usize::from(transition.term))
-            && self.engine.holds_row(transition.fires)
-        {
-            if !P::UNROLLED {
-                self.armed = Some(arm.next);
+        let first_holds = self.engine.term_holds(usize::from(transition.term));
+        // Mostly nothing fires, and what is done then lies beside the way. That is said at the one comparison that
+        // decides.
+        if transition.fires == 0 {
+            if first_holds {
+                cold_path();
+                self.fires(arm, row, transition);
             }
-            let crossing = program.crossing(transition);
-            self.mark(row, matches!(crossing, Crossing::Across { .. }));
-            if let Crossing::Within { leaves, enters, .. } = crossing {
-                self.next = self.next & !(leaves & !self.enters) | enters;
-                self.enters |= enters;
-            }
+        } else if first_holds && self.engine.holds_row(transition.fires) {
+            cold_path();
+            self.fires(arm, row, transition);
         }
     }
 }

@@ -3,20 +3,22 @@
 use crate::engine::Engine;
 use crate::memory::Memory;
 use crate::program::{Code, Compiled, Condition, Op, Rest, Run, Term};
+use crate::timing::Timers;
 use crate::walk::{Visit, each};
 
 impl<P: Compiled, M: Memory> Engine<P, M> {
     /// Whether a condition holds now. Arithmetic that goes wrong on the way is counted.
     #[inline(always)]
     pub(crate) fn holds(&mut self, condition: &Condition) -> bool {
-        self.terms_hold(condition.terms) && self.rest_holds(condition.rest)
+        self.terms_hold(condition.terms) && self.rest_holds(condition.rest, Timers::Apart)
     }
 
     /// The same, for a row of the conditions.
     #[inline(always)]
     pub(crate) fn holds_row(&mut self, row: u16) -> bool {
         let tables = self.tables;
-        row == 0 || self.holds(&tables.program().condition(row))
+        let Condition { terms, rest } = tables.program().condition(row);
+        row == 0 || self.terms_hold(terms) && self.rest_holds(rest, Timers::InPlace)
     }
 
     /// Whether all terms hold now.
@@ -36,31 +38,32 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
 
     /// Whether what a condition asks for beside its terms holds now.
     #[inline(always)]
-    fn rest_holds(&mut self, rest: Rest) -> bool {
+    fn rest_holds(&mut self, rest: Rest, timers: Timers) -> bool {
         let tables = self.tables;
         let program = tables.program();
         match rest {
             Rest::None => true,
-            Rest::Elapsed(timer) => self.has_elapsed(timer),
-            Rest::Running(timer) => !self.has_elapsed(timer),
+            Rest::Elapsed(timer) => self.has_elapsed(timer, timers),
+            Rest::Running(timer) => !self.has_elapsed(timer, timers),
             Rest::Code(code) => {
                 let code = program.codes.get(usize::from(code));
                 code.is_some_and(|code| self.value_of(*code) != 0)
             }
             Rest::Logic(code) => {
                 let code = program.codes.get(usize::from(code));
-                code.is_some_and(|code| self.logic_of(*code))
+                code.is_some_and(|code| self.logic_of(*code, timers))
             }
         }
     }
 
     /// What a piece of code on Booleans leaves.
     #[inline(always)]
-    fn logic_of(&mut self, code: Code) -> bool {
+    fn logic_of(&mut self, code: Code, timers: Timers) -> bool {
         let tables = self.tables;
         let ops = code.of(tables.program().ops);
         let mut thinking = Thinking {
             engine: self,
+            timers,
             stack: 0,
         };
         each::<P, Op>(ops, &mut thinking);
@@ -82,7 +85,11 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
             Op::Constant(value) => value,
             Op::Bit(bit) => i32::from(self.memory.bit(bit)),
             Op::Number(number) => self.memory.number(number),
-            Op::Elapsed(timer) => i32::from(self.has_elapsed(timer)),
+            Op::Elapsed(timer) => i32::from(self.has_elapsed_apart(timer)),
+            Op::AndElapsed(timer) => {
+                let holds = self.pop(depth) != 0 && self.has_elapsed_apart(timer);
+                i32::from(holds)
+            }
             Op::Not => i32::from(self.pop(depth) == 0),
             Op::Negate => {
                 let operand = self.pop(depth);
@@ -154,6 +161,7 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
 /// Executes code on Booleans.
 struct Thinking<'e, P, M> {
     engine: &'e mut Engine<P, M>,
+    timers: Timers,
     /// The stack is a word, its top the lowest bit.
     stack: u32,
 }
@@ -164,7 +172,13 @@ impl<P: Compiled, M: Memory> Visit<Op> for Thinking<'_, P, M> {
         let stack = self.stack;
         self.stack = match op {
             Op::Bit(bit) => stack << 1 | u32::from(self.engine.memory.bit(*bit)),
-            Op::Elapsed(timer) => stack << 1 | u32::from(self.engine.has_elapsed(*timer)),
+            Op::Elapsed(timer) => {
+                stack << 1 | u32::from(self.engine.has_elapsed(*timer, self.timers))
+            }
+            Op::AndElapsed(timer) => {
+                let holds = stack & 1 != 0 && self.engine.has_elapsed(*timer, self.timers);
+                stack & !1 | u32::from(holds)
+            }
             Op::Not => stack ^ 1,
             Op::And => stack >> 1 & (stack | !1),
             Op::Or => stack >> 1 | stack & 1,

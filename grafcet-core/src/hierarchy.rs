@@ -3,25 +3,13 @@
 use crate::bits::set_bits_of;
 use crate::engine::Engine;
 use crate::memory::{Memory, Standing};
-use crate::program::{Armed, Bit, Compiled, Enclosing, Forced, Graph, Order, Role, Run};
+use crate::program::{Armed, Bit, Compiled, Enclosing, Forced, Graph, Order, Program, Role, Run};
 use crate::sets::Set;
 use crate::walk::{Visit, each};
 use crate::watch::Pass;
 
 /// Graphs of a hierarchy for each of which there is code of its own.
 const FEW: usize = 4;
-
-/// Where a graph takes its situation from.
-enum Decision {
-    /// Nothing active.
-    Empty,
-    /// A set in the table of situations.
-    Set(u16),
-    /// The situation before this scan (round).
-    Before,
-    /// Its own evolution, or in scan 0 what it has taken.
-    Own,
-}
 
 impl<P: Compiled, M: Memory> Engine<P, M> {
     /// Gives every graph its initial situation, an enclosed one only when an initial step encloses it.
@@ -111,19 +99,12 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
     /// Gives a graph that an order or an enclosing step may bind its situation. Kept apart, since most graphs are free.
     #[inline(never)]
     fn bind(&mut self, graph: &Graph, index: u16, standing: Standing, pass: Pass) -> bool {
-        let decision = self.decide(graph, standing, pass);
-        let void = !matches!(decision, Decision::Own);
-        let held = standing.order() != 0 && self.is_alive(graph);
-        match decision {
-            Decision::Empty => self.empty(graph),
-            Decision::Set(situation) => self.take(graph, situation),
-            Decision::Before => self.take_before(graph, pass),
-            Decision::Own => {}
-        }
+        let void = self.give(graph, standing, pass);
         if void {
             self.void_fired(graph.transitions);
             self.refresh_macros_of(|graph| graph == index);
         }
+        let held = standing.order() != 0 && self.is_alive(graph);
         let new = Standing::behind_round(held, void);
         if new != standing.under(0) {
             self.note_change();
@@ -132,28 +113,34 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
         void
     }
 
-    /// The first line of phase 4 that applies.
-    fn decide(&self, graph: &Graph, standing: Standing, pass: Pass) -> Decision {
+    /// Does what the first line of phase 4 says that applies. False when the graph keeps to its own evolution, or in scan
+    /// 0 to what it has taken.
+    #[inline(always)]
+    fn give(&mut self, graph: &Graph, standing: Standing, pass: Pass) -> bool {
         let tables = self.tables;
         let program = tables.program();
         let enclosings = program.role(graph).enclosings.of(program.enclosings);
         if !self.is_alive(graph) {
-            return Decision::Empty;
+            self.empty(graph);
+            return true;
         }
-        if let Some(order) = self.order(standing.order()) {
-            return match order.situation {
-                Forced::Set(situation) => Decision::Set(situation),
-                Forced::Current => Decision::Before,
-            };
+        if let Some(order) = tables.program().order(standing.order()) {
+            match order.situation {
+                Forced::Set(situation) => self.take(graph, situation),
+                Forced::Current => self.take_before(graph, pass),
+            }
+            return true;
         }
         let keeps_start = pass == Pass::Start && self.keeps_start(enclosings);
         if !keeps_start && let Some(by) = enclosings.iter().rfind(|by| self.is_activated(by)) {
-            return Decision::Set(by.situation);
+            self.take(graph, by.situation);
+            return true;
         }
         if standing.is_held() {
-            return Decision::Before;
+            self.take_before(graph, pass);
+            return true;
         }
-        Decision::Own
+        false
     }
 
     /// An enclosed graph is alive only while an enclosing step is active: otherwise it is empty, no order on it is
@@ -251,12 +238,6 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
         }
     }
 
-    /// A row of the orders, counted from 1.
-    fn order(&self, row: u16) -> Option<&Order> {
-        let row = usize::from(row).checked_sub(1)?;
-        self.tables.program().orders.get(row)
-    }
-
     fn standing(&self, graph: u16) -> Standing {
         self.memory
             .store
@@ -301,6 +282,14 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
     }
 }
 
+impl Program<'_> {
+    /// A row of the orders, counted from 1.
+    fn order(&self, row: u16) -> Option<&Order> {
+        let row = usize::from(row).checked_sub(1)?;
+        self.orders.get(row)
+    }
+}
+
 /// Gives orders whose conditions hold.
 struct Giving<'e, P, M> {
     engine: &'e mut Engine<P, M>,
@@ -317,7 +306,8 @@ impl<P: Compiled, M: Memory> Visit<Order> for Giving<'_, P, M> {
             return;
         }
         let standing = self.engine.standing(order.graph);
-        let wins = match self.engine.order(standing.order()) {
+        let tables = self.engine.tables;
+        let wins = match tables.program().order(standing.order()) {
             Some(best) => best.by == order.by && best.rank <= order.rank,
             None => true,
         };

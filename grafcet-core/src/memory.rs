@@ -288,7 +288,11 @@ impl<M: Memory> Bank<M> {
         } else {
             *word & !bit.mask()
         };
-        core::mem::replace(word, new) != new
+        let changes = *word != new;
+        if changes {
+            *word = new;
+        }
+        changes
     }
 
     pub(crate) fn clear_bit(&mut self, bit: Bit) {

@@ -331,6 +331,13 @@ pub trait Compiled: Copy {
     /// The program.
     fn program(&self) -> &Program<'_>;
 
+    /// Whether firing exchanges steps of that word: none that a transition enters is active while it is armed, but one
+    /// that it alone leaves. Then it does not matter in which order steps are left and entered (IEC 60848 rule 5).
+    #[inline(always)]
+    fn exchanges(&self, _place: usize) -> bool {
+        false
+    }
+
     /// Visits steps, word by word in source order.
     #[inline(always)]
     fn each_step(&self, visit: &mut impl VisitSteps) {

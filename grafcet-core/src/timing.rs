@@ -4,6 +4,15 @@ use crate::engine::{Engine, LONG};
 use crate::memory::Memory;
 use crate::program::{Bit, Compiled, Preset, Since, Stamp, Timer, Unit};
 
+/// Where the code of timers stands, in an image of a small program.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Timers {
+    /// Where they are asked for: there the compiler knows the row, and hardly anything is left of it.
+    InPlace,
+    /// Apart, where it mostly does not.
+    Apart,
+}
+
 impl<P: Compiled, M: Memory> Engine<P, M> {
     /// A scan is at that time.
     #[inline(always)]
@@ -40,13 +49,33 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
     }
 
     /// Whether the timer in that row has run out.
-    pub(crate) fn has_elapsed(&mut self, timer: u16) -> bool {
+    #[inline(always)]
+    pub(crate) fn has_elapsed(&mut self, timer: u16, timers: Timers) -> bool {
+        let tables = self.tables;
+        match tables.program().timers.get(usize::from(timer)) {
+            Some(Timer::Own { since, preset })
+                if P::UNROLLED && timers == Timers::InPlace && preset.is_in_ms() =>
+            {
+                self.own_elapsed(*since, self.preset_ms(*preset))
+            }
+            _ => self.has_elapsed_apart(timer),
+        }
+    }
+
+    /// The same, kept apart.
+    #[inline(never)]
+    pub(crate) fn has_elapsed_apart(&mut self, timer: u16) -> bool {
         let tables = self.tables;
         let program = tables.program();
         match program.timers.get(usize::from(timer)) {
             Some(Timer::Own { since, preset }) => {
                 let (preset, unit) = self.preset(*preset);
-                self.own_elapsed(*since, preset, unit)
+                let preset = not_below_zero(preset);
+                let preset_ms = match unit {
+                    Unit::Seconds => in_ms(preset) as u32,
+                    Unit::Milliseconds => preset,
+                };
+                self.own_elapsed(*since, preset_ms)
             }
             Some(Timer::Any {
                 step,
@@ -68,6 +97,23 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
         }
     }
 
+    /// The same of a preset in ms that the compiler knows: of a number it knows the range then.
+    #[inline(always)]
+    fn preset_ms(&self, preset: Preset) -> u32 {
+        let numbers = self.program().numbers;
+        let (value, _) = self.preset(preset);
+        match preset {
+            Preset::Number(number, _)
+                if numbers
+                    .get(usize::from(number.0))
+                    .is_some_and(|row| row.min >= 0) =>
+            {
+                value as u32
+            }
+            _ => not_below_zero(value),
+        }
+    }
+
     /// When a step or macro step was last activated. Until phase 5 has written it down, one that is activated in
     /// this very round counts from now.
     pub(crate) fn activation(&self, step: Bit, activated: Stamp) -> u64 {
@@ -86,8 +132,7 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
     pub(crate) fn elapsed(&mut self, risen_ms: u64, preset: i32, unit: Unit) -> bool {
         let elapsed_ms = self.now_ms.wrapping_sub(risen_ms);
         let long_ms = (elapsed_ms >> 32) as i32;
-        // A preset below zero has always passed.
-        let preset = u32::try_from(preset).unwrap_or(0);
+        let preset = not_below_zero(preset);
         let left_ms = match unit {
             Unit::Seconds => {
                 let left_ms = in_ms(preset).saturating_sub(elapsed_ms);
@@ -102,25 +147,28 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
     }
 
     /// The same for a step that is active.
-    fn own_elapsed(&mut self, since: Since, preset: i32, unit: Unit) -> bool {
-        let preset = u32::try_from(preset).unwrap_or(0);
-        let preset_ms = match unit {
-            Unit::Seconds => in_ms(preset) as u32,
-            Unit::Milliseconds => preset,
-        };
+    #[inline(always)]
+    fn own_elapsed(&mut self, since: Since, preset_ms: u32) -> bool {
         let active_ms = (self.now_ms as u32).wrapping_sub(self.memory.since(since));
-        let left_ms = preset_ms.saturating_sub(active_ms);
-        self.wait(left_ms);
-        left_ms == 0
+        let runs = active_ms < preset_ms;
+        if runs {
+            self.wait(preset_ms - active_ms);
+        }
+        !runs
     }
 
     /// The scan in so many ms is no idle one; 0 is no time.
     #[inline(always)]
     fn wait(&mut self, left_ms: u32) {
-        if left_ms > 0 {
-            self.quiet_ms = self.quiet_ms.min(left_ms);
+        if left_ms > 0 && left_ms < self.quiet_ms {
+            self.quiet_ms = left_ms;
         }
     }
+}
+
+/// A preset below zero has always passed, as 0 has.
+fn not_below_zero(preset: i32) -> u32 {
+    u32::try_from(preset).unwrap_or(0)
 }
 
 /// Kept apart: a product of 64 bits is a long call on a small processor, and few presets need it.

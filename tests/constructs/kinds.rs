@@ -182,6 +182,7 @@ kinds! { tables:
         Self::Bit(_) => "Op::Bit",
         Self::Number(_) => "Op::Number",
         Self::Elapsed(_) => "Op::Elapsed",
+        Self::AndElapsed(_) => "Op::AndElapsed",
         Self::Not => "Op::Not",
         Self::And => "Op::And",
         Self::Or => "Op::Or",

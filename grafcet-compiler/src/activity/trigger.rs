@@ -208,6 +208,13 @@ fn read(op: Op, stack: &mut Vec<Read>) -> Read {
         Op::Bit(bit) => (format!("b{}", bit.0), Some(Formula::Is(Thing::Bit(bit.0)))),
         Op::Number(number) => (format!("n{}", number.0), None),
         Op::Elapsed(timer) => (format!("t{timer}"), Some(Formula::Is(Thing::Timer(timer)))),
+        Op::AndElapsed(timer) => {
+            let inner = pop();
+            let text = format!("({}) t{timer} And", inner.text);
+            let elapsed = Formula::Is(Thing::Timer(timer));
+            let both = Formula::Both(Op::And, Box::new(inner.formula()), Box::new(elapsed));
+            (text, Some(both))
+        }
         Op::Not => {
             let inner = pop();
             let text = format!("({}) Not", inner.text);

@@ -49,7 +49,7 @@ structs! {
     Duties => Duties { stored on_activation on_deactivation on_event orders activated since }
     Block => Block { first masks momentary }
     Actors => Actors { momentary masks }
-    Masks => Masks { timed stored on_activation on_deactivation on_event forcing }
+    Masks => Masks { timed stored on_activation on_deactivation on_event forcing varying }
     Arm => Arm { transition course shows next }
     Macro => Macro { bit graph steps activated }
     Transition => Transition { fires term crossing }
@@ -328,6 +328,10 @@ impl Row for Op {
             Op::Elapsed(timer) => {
                 let timer = timer.literal();
                 quote!(Op::Elapsed(#timer))
+            }
+            Op::AndElapsed(timer) => {
+                let timer = timer.literal();
+                quote!(Op::AndElapsed(#timer))
             }
             Op::StepTimer {
                 step,

@@ -30,6 +30,8 @@ pub struct Word {
     /// Of all others, chains of which one step can be active at a time: behind an active one nobody looks for others
     /// of its chain. Steps that can be active together stay in the order of the source.
     pub chains: Vec<Vec<u32>>,
+    /// What [`Compiled::exchanges`](grafcet_core::program::Compiled::exchanges) tells.
+    pub exchanges: bool,
 }
 
 impl Walk {
@@ -38,16 +40,34 @@ impl Walk {
     pub fn of(program: &Program<'_>) -> Self {
         let graphs = program.graphs.iter().enumerate();
         let words = graphs.flat_map(|(index, graph)| {
-            let together = Activity::of(program, index, graph).steps;
+            let activity = Activity::of(program, index, graph);
+            let exchanges = firing_exchanges(&activity);
+            let together = activity.steps;
             let count = usize::from(graph.steps.len);
             let starts = (0..count).step_by(32);
-            let words = starts.map(|start| word(&together, graph, start..count.min(start + 32)));
+            let words = starts.map(|start| Word {
+                exchanges,
+                ..word(&together, graph, start..count.min(start + 32))
+            });
             words.collect::<Vec<_>>()
         });
-        Walk {
-            words: words.collect(),
-        }
+        let words = words.collect();
+        Walk { words }
     }
+}
+
+/// Whether no transition of a graph enters a step that is active then, but one that it alone leaves.
+fn firing_exchanges(activity: &Activity) -> bool {
+    let firings = &activity.firings;
+    firings.iter().all(|one| {
+        one.enters.iter().all(|step| {
+            let mut leaving = firings.iter().filter(|it| it.leaves.contains(step));
+            match one.leaves.contains(step) {
+                true => leaving.all(|it| it.row == one.row),
+                false => !one.leaves.iter().all(|it| activity.steps.are(*step, *it)),
+            }
+        })
+    })
 }
 
 /// Of some steps of a graph, counted from its first one.
@@ -62,6 +82,7 @@ fn word(together: &Together, graph: &Graph, steps: Range<usize>) -> Word {
         first: graph.steps.start + steps.start as u16,
         alone: bits(&alone),
         chains: chains(together, &others).iter().map(bits).collect(),
+        exchanges: false,
     }
 }
 
@@ -83,6 +104,10 @@ fn chains(together: &Together, steps: &[usize]) -> Vec<Vec<usize>> {
 /// The items of `Compiled` with which a program is walked over row by row.
 pub(super) fn walks(program: &Program<'_>) -> TokenStream {
     let words = Walk::of(program).words;
+    let exchanging = words.iter().enumerate().filter(|(_, word)| word.exchanges);
+    let exchanging: Vec<Literal> = exchanging
+        .map(|(place, _)| Literal::usize_unsuffixed(place))
+        .collect();
     let words = words.iter().enumerate().map(|(place, word)| {
         let chains = word.chains.iter();
         let chains = chains.map(|steps| chain(word, steps, TokenStream::new()));
@@ -97,8 +122,19 @@ pub(super) fn walks(program: &Program<'_>) -> TokenStream {
             }
         }
     });
+    // Where none is, what the trait says stands.
+    let exchanges = (!exchanging.is_empty()).then(|| {
+        quote! {
+            #[inline(always)]
+            fn exchanges(&self, place: usize) -> bool {
+                matches!(place, #(#exchanging)|*)
+            }
+        }
+    });
     quote! {
         const UNROLLED: bool = true;
+
+        #exchanges
 
         #[inline(always)]
         fn each_step(&self, visit: &mut impl VisitSteps) {
@@ -109,45 +145,69 @@ pub(super) fn walks(program: &Program<'_>) -> TokenStream {
 
 /// Visits the one of some steps that is active; when there is none does something else.
 fn chain(word: &Word, steps: &[u32], otherwise: TokenStream) -> TokenStream {
-    let visit = |bit: &u32| {
-        let (mask, row) = (1 << bit, row(usize::from(word.first) + *bit as usize));
-        Choice {
-            mask,
-            condition: Some(quote!(&& let Some(step) = PROGRAM.steps.#row)),
-            action: quote!(visit.step(step);),
-        }
+    let visits: Vec<Choice> = steps.iter().map(|bit| Choice::step(word, *bit)).collect();
+    // With one look several are passed over: to get behind all of them, or where there are many.
+    let together = match visits.len() {
+        3..=SOME if !otherwise.is_empty() => SOME,
+        ..=SOME => 1,
+        _ => FEW,
     };
-    let visits: Vec<Choice> = steps.iter().map(visit).collect();
-    if visits.len() <= SOME {
-        return choose(&visits, otherwise);
-    }
-    // With one look several are passed over.
-    let groups = visits.chunks(FEW).map(|group| match group {
-        [only] => only.clone(),
-        group => Choice {
-            mask: group.iter().fold(0, |mask, visit| mask | visit.mask),
-            condition: None,
-            action: choose(group, TokenStream::new()),
-        },
-    });
-    choose(&groups.collect::<Vec<_>>(), otherwise)
+    let groups: Vec<Choice> = visits.chunks(together).filter_map(Choice::one_of).collect();
+    choose(&groups, otherwise)
 }
 
 /// What is done when a step of a mask is active.
 #[derive(Clone)]
 struct Choice {
     mask: u32,
-    condition: Option<TokenStream>,
+    /// The call that gets the only step, if there is but one.
+    step: Option<TokenStream>,
     action: TokenStream,
+}
+
+impl Choice {
+    /// Visits a step.
+    fn step(word: &Word, bit: u32) -> Self {
+        Choice {
+            mask: 1 << bit,
+            step: Some(row(usize::from(word.first) + bit as usize)),
+            action: quote!(visit.step(step);),
+        }
+    }
+
+    /// Does that of some which there is a step for: when it is none of the others, it is the last one.
+    fn one_of(choices: &[Choice]) -> Option<Self> {
+        match choices.split_last() {
+            Some((last, others)) if !others.is_empty() => Some(Choice {
+                mask: choices.iter().fold(0, |mask, choice| mask | choice.mask),
+                step: None,
+                action: choose(others, last.unasked()),
+            }),
+            _ => choices.first().cloned(),
+        }
+    }
+
+    /// What is done when it is known that the step is active.
+    fn unasked(&self) -> TokenStream {
+        let action = &self.action;
+        match &self.step {
+            Some(row) => quote!(if let Some(step) = PROGRAM.steps.#row { #action }),
+            None => action.clone(),
+        }
+    }
 }
 
 /// Does the first that there is a step for.
 fn choose(choices: &[Choice], otherwise: TokenStream) -> TokenStream {
     choices.iter().rev().fold(otherwise, |rest, choice| {
         let mask = Literal::u32_unsuffixed(choice.mask);
-        let (condition, action) = (&choice.condition, &choice.action);
+        let step = choice
+            .step
+            .iter()
+            .map(|row| quote!(&& let Some(step) = PROGRAM.steps.#row));
+        let action = &choice.action;
         let rest = (!rest.is_empty()).then(|| quote!(else { #rest }));
-        quote!(if steps & #mask != 0 #condition { #action } #rest)
+        quote!(if steps & #mask != 0 #(#step)* { #action } #rest)
     })
 }
 

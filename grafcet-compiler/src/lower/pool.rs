@@ -207,7 +207,7 @@ impl Pool {
             match op {
                 Op::Bit(_) | Op::Elapsed(_) | Op::Constant(0 | 1) => depth += 1,
                 Op::And | Op::Or | Op::Xor => depth -= 1,
-                Op::Not => {}
+                Op::Not | Op::AndElapsed(_) => {}
                 _ => return false,
             }
             depth <= 32
@@ -220,10 +220,19 @@ impl Pool {
     }
 
     /// Code that leaves the value of the one operand, or the conjunction of several: one behind the other and not as
-    /// a tree, which would be as deep as they are many.
+    /// a tree, which would be as deep as they are many. Timers are asked for behind all others, and only where those hold.
     fn conjunction_code(&mut self, operands: &[Node], span: Span) -> Code {
         let mut ops = Vec::new();
-        for (place, operand) in operands.iter().enumerate() {
+        let (timers, others): (Vec<_>, Vec<_>) = operands
+            .iter()
+            .partition(|operand| operands.len() > 1 && timer(operand).is_some());
+        for (place, operand) in others.into_iter().chain(timers).enumerate() {
+            if place > 0
+                && let Some(timer) = timer(operand)
+            {
+                ops.push(Op::AndElapsed(self.timers.row(timer)));
+                continue;
+            }
             let depth = push(operand, &mut self.timers, &mut ops);
             self.stack = self.stack.max(depth + place.min(1));
             if place > 0 {

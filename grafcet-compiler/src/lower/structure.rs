@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use grafcet_core::program::{
-    Arm, Block, Duties, Graph, Macro, Masks, Role, Run, Since, Stamp, Step,
+    Arm, Block, Duties, Graph, Macro, Masks, Momentary, Role, Run, Since, Stamp, Step,
 };
 
 use super::atoms::Atom;
@@ -92,7 +92,7 @@ impl Lowering<'_> {
             let words = steps.chunks(32).zip(own.step_by(32));
             structure.blocks.extend(words.map(|(steps, first)| Block {
                 first: index(first),
-                masks: masks.row(masks_of(steps, &duties.rows)),
+                masks: masks.row(masks_of(steps, &duties.rows, &self.rows.momentary.rows)),
                 momentary: mask(steps, |step| step.momentary_count > 0),
             }));
             let orders = orders.get(row).copied().unwrap_or_default();
@@ -154,8 +154,8 @@ impl Lowering<'_> {
     }
 }
 
-/// Which of some steps that share a word do something beside momentary actions.
-fn masks_of(steps: &[Step], duties: &[Duties]) -> Masks {
+/// Which of some steps that share a word do something beside momentary actions, and whose of those have conditions.
+fn masks_of(steps: &[Step], duties: &[Duties], momentary: &[Momentary]) -> Masks {
     let acting = |acts: &dyn Fn(&Duties) -> bool| {
         let of = |step: &Step| duties.get(usize::from(step.duties));
         mask(steps, |step| of(step).is_some_and(acts))
@@ -167,6 +167,10 @@ fn masks_of(steps: &[Step], duties: &[Duties]) -> Masks {
         on_deactivation: acting(&|duties| duties.on_deactivation.len > 0),
         on_event: acting(&|duties| duties.on_event.len > 0),
         forcing: acting(&|duties| duties.orders.len > 0),
+        varying: mask(steps, |step| {
+            let mut rows = step.momentary().of(momentary).iter();
+            rows.any(|row| row.condition > 0)
+        }),
     }
 }
 

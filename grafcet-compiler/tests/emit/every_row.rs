@@ -217,7 +217,7 @@ fn tables() -> Tables {
             word: 7,
             mask: 0x8000_0001,
         }],
-        momentary: vec![momentary(0)],
+        momentary: vec![momentary(0), momentary(1)],
         always_momentary: Run::EMPTY,
         dependent: vec![
             Dependent {
@@ -262,7 +262,7 @@ fn tables() -> Tables {
         codes: vec![
             Code { start: 0, len: 3 },
             Code { start: 3, len: 4 },
-            Code { start: 7, len: 36 },
+            Code { start: 7, len: 37 },
         ],
         ops: ops(),
         numbers: [(0, i32::MIN, i32::MAX), (0, 0, 0), (-5, -7, -1), (1, 0, 9)]
@@ -386,6 +386,6 @@ fn ops() -> Vec<Op> {
             unit,
         });
     }
-    ops.extend([Op::Bit(Bit(0)), Op::And, Op::Not]);
+    ops.extend([Op::Bit(Bit(0)), Op::And, Op::Not, Op::AndElapsed(2)]);
     ops
 }

@@ -61,6 +61,7 @@ pub fn masks((first, steps): (u16, u32)) -> Masks {
         on_deactivation: act,
         on_event: act,
         forcing: steps & !act,
+        varying: u32::from(first == 3),
     }
 }
 
@@ -68,7 +69,7 @@ pub fn step(index: u16) -> Step {
     let arm = [0, 1, 4, 36].iter().position(|step| *step == index);
     Step {
         first_arm: arm.map_or(0, |place| [0, 1, 3, 4][place]),
-        first_momentary: 0,
+        first_momentary: u16::from(index == 3),
         duties: 1 + u16::from(index == 2),
         arm_count: u8::from(arm.is_some()),
         momentary_count: 1,

@@ -250,12 +250,28 @@ fn a_timer_among_others_is_one_operation_of_their_logic() {
     assert_eq!(terms.len(), 1);
     assert_eq!(
         ops_of(&tables, rest),
-        [Op::Elapsed(0), Op::Elapsed(1), Op::Not, Op::And]
+        [Op::Elapsed(0), Op::Not, Op::AndElapsed(1)]
     );
     assert_eq!(
         presets(&tables),
-        [Preset::Constant(2000), Preset::Constant(3000)]
+        [Preset::Constant(3000), Preset::Constant(2000)]
     );
+}
+
+#[test]
+fn a_timer_is_asked_for_only_where_all_else_holds() {
+    let either = "T/X1/2s AND NOT (a AND b)";
+    let all = [Op::Bit(A), Op::Bit(B), Op::And, Op::Not, Op::AndElapsed(0)];
+    assert_eq!(ops(either), all);
+    assert!(is_logic(either));
+    assert!(is_logic("T/X1/2s AND T/X1/p AND (a OR b)"));
+    assert_eq!(
+        ops(&format!("{either} AND n > 2"))[7..],
+        [Op::And, Op::AndElapsed(0)]
+    );
+    // What can fault is counted whatever else holds.
+    let faulty = ops("T/X1/2s AND n + 1 > 2");
+    assert_eq!(faulty[0], Op::Elapsed(0));
 }
 
 #[test]

@@ -71,3 +71,35 @@ fn the_words_of_a_large_graph_are_walked_over_one_by_one() {
         .map(|word| (word.first, word.alone.len(), word.chains.len()));
     assert_eq!(counts.collect::<Vec<_>>(), [(0, 0, 32), (32, 0, 8)]);
 }
+
+#[test]
+fn firing_exchanges_steps_unless_one_that_is_entered_may_be_active() {
+    let exchanges = |elements: &str| word(elements).exchanges;
+    let steps = "initial step 1; step 2; step 3\n";
+    let both = |one: &str, other: &str| exchanges(&format!("{steps}{one}\n{other}"));
+    assert!(both(
+        "transition 1: 1 -> 2 when a",
+        "transition 2: 2 -> 1 when b"
+    ));
+    assert!(both(
+        "transition 1: 1 -> 2, 3 when a",
+        "transition 2: 2, 3 -> 1 when b"
+    ));
+    // Both can fire at once, and then steps 2 and 3 are active together, but neither leads to the other.
+    assert!(both(
+        "transition 1: 1 -> 2 when a",
+        "transition 2: 1 -> 3 when b"
+    ));
+    assert!(!both(
+        "transition 1: 1 -> 2, 3 when a",
+        "transition 2: 2 -> 3 when b"
+    ));
+    // One that leads back to its own step, alone or beside another that leaves it.
+    assert!(exchanges("initial step 1; transition 1: 1 -> 1 when a"));
+    assert!(!both(
+        "transition 1: 1 -> 1 when a",
+        "transition 2: 1 -> 2 when b"
+    ));
+    // One without entrance.
+    assert!(!exchanges("step 1; transition 1: -> 1 when a"));
+}

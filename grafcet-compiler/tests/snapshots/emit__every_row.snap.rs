@@ -109,6 +109,7 @@ pub static PROGRAM: Program<'static> = Program {
             on_deactivation: 3,
             on_event: 3,
             forcing: 4,
+            varying: 0,
         },
         Masks {
             timed: 1,
@@ -117,6 +118,7 @@ pub static PROGRAM: Program<'static> = Program {
             on_deactivation: 1,
             on_event: 1,
             forcing: 0,
+            varying: 1,
         },
         Masks {
             timed: 4294967295,
@@ -125,6 +127,7 @@ pub static PROGRAM: Program<'static> = Program {
             on_deactivation: 4294967295,
             on_event: 4294967295,
             forcing: 0,
+            varying: 0,
         },
         Masks {
             timed: 1,
@@ -133,6 +136,7 @@ pub static PROGRAM: Program<'static> = Program {
             on_deactivation: 1,
             on_event: 1,
             forcing: 0,
+            varying: 0,
         },
     ],
     actors: &[
@@ -145,6 +149,7 @@ pub static PROGRAM: Program<'static> = Program {
                 on_deactivation: 1,
                 on_event: 1,
                 forcing: 1,
+                varying: 1,
             },
         },
     ],
@@ -172,7 +177,7 @@ pub static PROGRAM: Program<'static> = Program {
         },
         Step {
             first_arm: 0,
-            first_momentary: 0,
+            first_momentary: 1,
             duties: 1,
             arm_count: 0,
             momentary_count: 1,
@@ -599,6 +604,10 @@ pub static PROGRAM: Program<'static> = Program {
             targets: Run { start: 0, len: 1 },
             condition: 0,
         },
+        Momentary {
+            targets: Run { start: 0, len: 1 },
+            condition: 1,
+        },
     ],
     always_momentary: Run::EMPTY,
     dependent: &[
@@ -735,7 +744,7 @@ pub static PROGRAM: Program<'static> = Program {
     codes: &[
         Code { start: 0, len: 3 },
         Code { start: 3, len: 4 },
-        Code { start: 7, len: 36 },
+        Code { start: 7, len: 37 },
     ],
     ops: &[
         Op::Number(Number(3)),
@@ -789,6 +798,7 @@ pub static PROGRAM: Program<'static> = Program {
         Op::Bit(Bit(0)),
         Op::And,
         Op::Not,
+        Op::AndElapsed(2),
     ],
     numbers: &[
         NumberRow {
@@ -836,6 +846,10 @@ impl Compiled for ThisProgram {
     }
     const UNROLLED: bool = true;
     #[inline(always)]
+    fn exchanges(&self, place: usize) -> bool {
+        matches!(place, 0 | 2 | 3)
+    }
+    #[inline(always)]
     fn each_step(&self, visit: &mut impl VisitSteps) {
         if let Some(block) = PROGRAM.blocks.first() {
             let steps = visit.choose(0, block);
@@ -870,7 +884,7 @@ impl Compiled for ThisProgram {
                         if steps & 4 != 0 && let Some(step) = PROGRAM.steps.get(6) {
                             visit.step(step);
                         } else {
-                            if steps & 8 != 0 && let Some(step) = PROGRAM.steps.get(7) {
+                            if let Some(step) = PROGRAM.steps.get(7) {
                                 visit.step(step);
                             }
                         }
@@ -888,9 +902,7 @@ impl Compiled for ThisProgram {
                             {
                                 visit.step(step);
                             } else {
-                                if steps & 128 != 0
-                                    && let Some(step) = PROGRAM.steps.get(11)
-                                {
+                                if let Some(step) = PROGRAM.steps.get(11) {
                                     visit.step(step);
                                 }
                             }
@@ -910,9 +922,7 @@ impl Compiled for ThisProgram {
                                 {
                                     visit.step(step);
                                 } else {
-                                    if steps & 2048 != 0
-                                        && let Some(step) = PROGRAM.steps.get(15)
-                                    {
+                                    if let Some(step) = PROGRAM.steps.get(15) {
                                         visit.step(step);
                                     }
                                 }
@@ -935,9 +945,7 @@ impl Compiled for ThisProgram {
                                     {
                                         visit.step(step);
                                     } else {
-                                        if steps & 32768 != 0
-                                            && let Some(step) = PROGRAM.steps.get(19)
-                                        {
+                                        if let Some(step) = PROGRAM.steps.get(19) {
                                             visit.step(step);
                                         }
                                     }
@@ -960,9 +968,7 @@ impl Compiled for ThisProgram {
                                         {
                                             visit.step(step);
                                         } else {
-                                            if steps & 524288 != 0
-                                                && let Some(step) = PROGRAM.steps.get(23)
-                                            {
+                                            if let Some(step) = PROGRAM.steps.get(23) {
                                                 visit.step(step);
                                             }
                                         }
@@ -985,9 +991,7 @@ impl Compiled for ThisProgram {
                                             {
                                                 visit.step(step);
                                             } else {
-                                                if steps & 8388608 != 0
-                                                    && let Some(step) = PROGRAM.steps.get(27)
-                                                {
+                                                if let Some(step) = PROGRAM.steps.get(27) {
                                                     visit.step(step);
                                                 }
                                             }
@@ -1010,9 +1014,7 @@ impl Compiled for ThisProgram {
                                                 {
                                                     visit.step(step);
                                                 } else {
-                                                    if steps & 134217728 != 0
-                                                        && let Some(step) = PROGRAM.steps.get(31)
-                                                    {
+                                                    if let Some(step) = PROGRAM.steps.get(31) {
                                                         visit.step(step);
                                                     }
                                                 }
@@ -1035,9 +1037,7 @@ impl Compiled for ThisProgram {
                                                     {
                                                         visit.step(step);
                                                     } else {
-                                                        if steps & 2147483648 != 0
-                                                            && let Some(step) = PROGRAM.steps.get(35)
-                                                        {
+                                                        if let Some(step) = PROGRAM.steps.get(35) {
                                                             visit.step(step);
                                                         }
                                                     }
@@ -1188,6 +1188,7 @@ pub static PLANTS: [PlantTables; 1] = [
                     on_deactivation: 3,
                     on_event: 3,
                     forcing: 4,
+                    varying: 0,
                 },
                 Masks {
                     timed: 1,
@@ -1196,6 +1197,7 @@ pub static PLANTS: [PlantTables; 1] = [
                     on_deactivation: 1,
                     on_event: 1,
                     forcing: 0,
+                    varying: 1,
                 },
                 Masks {
                     timed: 4294967295,
@@ -1204,6 +1206,7 @@ pub static PLANTS: [PlantTables; 1] = [
                     on_deactivation: 4294967295,
                     on_event: 4294967295,
                     forcing: 0,
+                    varying: 0,
                 },
                 Masks {
                     timed: 1,
@@ -1212,6 +1215,7 @@ pub static PLANTS: [PlantTables; 1] = [
                     on_deactivation: 1,
                     on_event: 1,
                     forcing: 0,
+                    varying: 0,
                 },
             ],
             actors: &[
@@ -1224,6 +1228,7 @@ pub static PLANTS: [PlantTables; 1] = [
                         on_deactivation: 1,
                         on_event: 1,
                         forcing: 1,
+                        varying: 1,
                     },
                 },
             ],
@@ -1251,7 +1256,7 @@ pub static PLANTS: [PlantTables; 1] = [
                 },
                 Step {
                     first_arm: 0,
-                    first_momentary: 0,
+                    first_momentary: 1,
                     duties: 1,
                     arm_count: 0,
                     momentary_count: 1,
@@ -1678,6 +1683,10 @@ pub static PLANTS: [PlantTables; 1] = [
                     targets: Run { start: 0, len: 1 },
                     condition: 0,
                 },
+                Momentary {
+                    targets: Run { start: 0, len: 1 },
+                    condition: 1,
+                },
             ],
             always_momentary: Run::EMPTY,
             dependent: &[
@@ -1807,7 +1816,7 @@ pub static PLANTS: [PlantTables; 1] = [
             codes: &[
                 Code { start: 0, len: 3 },
                 Code { start: 3, len: 4 },
-                Code { start: 7, len: 36 },
+                Code { start: 7, len: 37 },
             ],
             ops: &[
                 Op::Number(Number(3)),
@@ -1861,6 +1870,7 @@ pub static PLANTS: [PlantTables; 1] = [
                 Op::Bit(Bit(0)),
                 Op::And,
                 Op::Not,
+                Op::AndElapsed(2),
             ],
             numbers: &[
                 NumberRow {

@@ -98,6 +98,14 @@ pub enum Preset {
     Number(Number, Unit),
 }
 
+impl Preset {
+    /// Whether it is counted in milliseconds.
+    #[inline(always)]
+    pub(crate) const fn is_in_ms(self) -> bool {
+        !matches!(self, Preset::Number(_, Unit::Seconds))
+    }
+}
+
 /// Part of a conjunction: true when `image[word] & mask == state`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Term {
@@ -152,6 +160,9 @@ pub enum Op {
     GreaterOrEqual,
     /// Pushes whether the timer in this row of [`Program::timers`](super::Program::timers) has run out.
     Elapsed(u16),
+    /// Pops a Boolean and pushes whether it is True and the timer in this row of [`Program::timers`](super::Program::timers)
+    /// has run out; only then is it asked for.
+    AndElapsed(u16),
     /// Pops a preset and pushes `T/Xn/preset` for a step (or macro step) bit standing alone, when the preset is
     /// calculated.
     StepTimer {

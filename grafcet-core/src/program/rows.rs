@@ -138,7 +138,7 @@ pub struct Block {
     pub momentary: u32,
 }
 
-/// Which steps of a word do something beside momentary actions.
+/// Which steps of a word do something beside momentary actions, and whose of those have conditions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Masks {
     /// The steps whose time of activation is kept.
@@ -153,6 +153,8 @@ pub struct Masks {
     pub on_event: u32,
     /// The steps that force.
     pub forcing: u32,
+    /// The steps that have momentary actions with conditions.
+    pub varying: u32,
 }
 
 impl Masks {
@@ -164,6 +166,7 @@ impl Masks {
         on_deactivation: 0,
         on_event: 0,
         forcing: 0,
+        varying: 0,
     };
 }
 

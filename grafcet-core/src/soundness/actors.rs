@@ -58,6 +58,7 @@ impl Actors {
         );
         join(&mut self.masks.on_event, masks.on_event, group);
         join(&mut self.masks.forcing, masks.forcing, group);
+        join(&mut self.masks.varying, masks.varying, group);
     }
 
     /// `==`, which is not const.
@@ -69,6 +70,7 @@ impl Actors {
             && self.masks.on_deactivation == other.masks.on_deactivation
             && self.masks.on_event == other.masks.on_event
             && self.masks.forcing == other.masks.forcing
+            && self.masks.varying == other.masks.varying
     }
 }
 

@@ -21,11 +21,11 @@ impl Program<'_> {
         self
     }
 
-    /// Whether the program itself asks which transitions have fired: for their `do` blocks, to evolve until it is
-    /// stable, or because a graph forces or encloses another.
+    /// Whether the program itself asks which transitions have fired: for their `do` blocks, or to evolve until it
+    /// is stable.
     #[must_use]
     pub const fn asks_what_fired(&self) -> bool {
-        if !matches!(self.evolution, Evolution::Scan) || self.layout.standings > 0 {
+        if !matches!(self.evolution, Evolution::Scan) {
             return true;
         }
         let mut i = 0;

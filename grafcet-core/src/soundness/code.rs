@@ -138,6 +138,7 @@ impl Program<'_> {
                 op,
                 Op::Bit(_)
                     | Op::Elapsed(_)
+                    | Op::AndElapsed(_)
                     | Op::Constant(0 | 1)
                     | Op::Not
                     | Op::And
@@ -158,7 +159,7 @@ impl Program<'_> {
         match op {
             Op::Bit(bit) => self.bit_is_sound(*bit) && self.notes_reading(bit.0 >> 5, bit.mask()),
             Op::Number(number) => number.0 < self.layout.numbers,
-            Op::Elapsed(timer) => (*timer as usize) < self.timers.len(),
+            Op::Elapsed(timer) | Op::AndElapsed(timer) => (*timer as usize) < self.timers.len(),
             Op::StepTimer {
                 step, activated, ..
             } => self.bit_is_sound(*step) && self.stamp_is_sound(*activated),
@@ -179,7 +180,7 @@ impl Op {
     const fn effect(&self) -> (u16, u16) {
         match self {
             Op::Constant(_) | Op::Bit(_) | Op::Number(_) | Op::Elapsed(_) => (0, 1),
-            Op::Not | Op::Negate | Op::StepTimer { .. } => (1, 1),
+            Op::Not | Op::Negate | Op::AndElapsed(_) | Op::StepTimer { .. } => (1, 1),
             Op::And
             | Op::Or
             | Op::Xor

@@ -1,6 +1,6 @@
 //! Graphs, what arms their transitions, and where these lead.
 
-use crate::program::{Crossing, Graph, Program, Run};
+use crate::program::{Crossing, Graph, Program, Run, Step};
 
 impl Program<'_> {
     pub(super) const fn graphs_are_sound(&self) -> bool {
@@ -77,12 +77,26 @@ impl Program<'_> {
                 || (duties.on_deactivation.len > 0) != (masks.on_deactivation & mask != 0)
                 || (duties.on_event.len > 0) != (masks.on_event & mask != 0)
                 || (duties.orders.len > 0) != (masks.forcing & mask != 0)
+                || self.shows_on_conditions(step) != (masks.varying & mask != 0)
             {
                 return false;
             }
             i += 1;
         }
         true
+    }
+
+    /// Whether a step has a momentary action with a condition.
+    const fn shows_on_conditions(&self, step: &Step) -> bool {
+        let momentary = step.momentary();
+        let mut i = momentary.start as usize;
+        while i < momentary.end() {
+            if i < self.momentary.len() && self.momentary[i].condition > 0 {
+                return true;
+            }
+            i += 1;
+        }
+        false
     }
 
     pub(super) const fn hierarchy_is_sound(&self) -> bool {

@@ -187,7 +187,11 @@ fn what_a_program_says_it_never_does_no_row_of_it_does() {
     let masks = changed(GOOD.masks, |rows| rows[1].on_deactivation = 0);
     program_refused! { stores_on_change = false, duties = &duties, masks = &masks => DoBlocks; }
     let momentary = changed(GOOD.momentary, |rows| rows[0].condition = 2);
-    program_refused! { momentary_varies = false, dependent = &[], momentary = &momentary => Momentary; }
+    let masks = changed(GOOD.masks, |rows| rows[1].varying = 0b001);
+    program_refused! {
+        momentary_varies = false, dependent = &[], masks = &masks, momentary = &momentary => Momentary;
+        momentary = &momentary => Steps;
+    }
 }
 
 #[test]
@@ -234,11 +238,13 @@ fn momentary_statements_write_only_what_is_momentary() {
         targets[0].word = 6 => Momentary;
         targets[0].word = 8 => Momentary;
         momentary[0].targets = run(1, 1) => Momentary;
-        momentary[0].condition = 5 => Momentary;
         dependent[0].owner = Some(Bit(32)) => Momentary;
         dependent[0].statement.targets = run(0, 2) => Momentary;
         dependent[0].statement.condition = 5 => Momentary;
     }
+    let momentary = changed(GOOD.momentary, |rows| rows[0].condition = 5);
+    let masks = changed(GOOD.masks, |rows| rows[1].varying = 0b001);
+    program_refused! { masks = &masks, momentary = &momentary => Momentary; }
 }
 
 fn seen(word: u16, bits: u32) -> Option<Seen> {

@@ -59,7 +59,7 @@ impl<'p> Rows<'p> {
     fn code(self, code: Code) -> Work {
         let op = |op: &Op| {
             let beside = match op {
-                Op::Elapsed(row) => self.timer(*row, false),
+                Op::Elapsed(row) | Op::AndElapsed(row) => self.timer(*row, false),
                 Op::StepTimer { .. } => Work::one(Kind::TimerLooped),
                 Op::Multiply | Op::Divide | Op::Modulo => Work::one(Kind::Product),
                 _ => Work::NONE,
@@ -79,7 +79,7 @@ impl<'p> Rows<'p> {
         ops.map(|(place, op)| {
             let known = known && place < KNOWN;
             let beside = match op {
-                Op::Elapsed(row) => self.timer(*row, known),
+                Op::Elapsed(row) | Op::AndElapsed(row) => self.timer(*row, known),
                 _ => Work::NONE,
             };
             Work::one(either(known, Kind::Logic, Kind::LogicLooped)) + beside

@@ -1,6 +1,6 @@
-//! The engine four times: as it loops over programs; with what it keeps of large ones, the sets of words and what is
+//! The engine five times: as it loops over programs; with what it keeps of large ones, the sets of words and what is
 //! armed in each; the same without what it keeps for whoever looks on; and as it is written out in the image of a small
-//! one.
+//! one, with and without that.
 
 use grafcet_compiler::emit::{Walk, Word};
 use grafcet_core::Engine;
@@ -10,9 +10,11 @@ use grafcet_core::vectors::Vectors;
 /// A host may leap over any time, an image scans periodically: so far at most, in ms.
 const LEAP_MS: u64 = 1 << 29;
 
-/// The same tables, as they are, with sets, with sets for an image in which nobody looks on, and with the walk over them.
+/// The same tables, as they are, with sets, with sets for an image in which nobody looks on, for such an image without
+/// sets, and with the walk over them.
 pub struct Tables<'t> {
     looped: [Program<'t>; 3],
+    unwatched: Program<'t>,
     walk: Walk,
 }
 
@@ -31,6 +33,7 @@ impl<'t> Tables<'t> {
         };
         Tables {
             looped: [tables, large, large.unwatched()],
+            unwatched: tables.unwatched(),
             walk: Walk::of(&tables),
         }
     }
@@ -48,6 +51,10 @@ impl Compiled for WrittenOut<'_> {
 
     fn program(&self) -> &Program<'_> {
         self.program
+    }
+
+    fn exchanges(&self, place: usize) -> bool {
+        self.walk.words[place].exchanges
     }
 
     fn each_step(&self, visit: &mut impl VisitSteps) {
@@ -81,7 +88,7 @@ macro_rules! each {
         for $engine in &mut $twins.looped {
             $what;
         }
-        if let Some($engine) = &mut $twins.written_out {
+        for $engine in $twins.written_out.iter_mut().flatten() {
             $what;
         }
     }};
@@ -91,23 +98,23 @@ macro_rules! each {
 pub struct Twins<'t> {
     looped: [Engine<&'t Program<'t>, Vectors>; 3],
     /// None behind a leap over a long time.
-    written_out: Option<Engine<WrittenOut<'t>, Vectors>>,
+    written_out: Option<[Engine<WrittenOut<'t>, Vectors>; 2]>,
     time_ms: u64,
 }
 
 impl<'t> Twins<'t> {
     pub fn new(tables: &'t Tables<'t>) -> Self {
-        let program = &tables.looped[0];
-        let written_out = WrittenOut {
-            program,
-            walk: &tables.walk,
+        let written_out = |program| {
+            let walk = &tables.walk;
+            let written_out = WrittenOut { program, walk };
+            Engine::new(written_out, Vectors::new(program))
         };
         Twins {
             looped: tables
                 .looped
                 .each_ref()
                 .map(|tables| Engine::new(tables, Vectors::new(tables))),
-            written_out: Some(Engine::new(written_out, Vectors::new(program))),
+            written_out: Some([&tables.looped[0], &tables.unwatched].map(written_out)),
             time_ms: 0,
         }
     }
@@ -120,11 +127,14 @@ impl<'t> Twins<'t> {
     /// Whether the latest scan left the same in all.
     pub fn agree(&self) -> bool {
         let [one, other, unwatched] = &self.looped;
-        let written_out = self.written_out.as_ref();
         are_alike(one, other)
             && without_end(one.image().to_vec()) == without_end(unwatched.image().to_vec())
             && one.numbers() == unwatched.numbers()
-            && written_out.is_none_or(|other| are_alike(one, other))
+            && self.written_out.as_ref().is_none_or(|[other, unwatched]| {
+                are_alike(one, other)
+                    && one.numbers() == unwatched.numbers()
+                    && bits(one) == bits(unwatched)
+            })
     }
 
     pub fn restore(&mut self, slot: Slot, value: i32) -> bool {

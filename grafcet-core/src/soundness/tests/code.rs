@@ -52,6 +52,8 @@ fn code_gets_by_with_its_stack() {
         ops[0] = Op::Number(Number(4)) => Codes;
         ops[0] = Op::Bit(Bit(416)) => Codes;
         ops[5] = Op::Elapsed(3) => Codes;
+        ops[4] = Op::AndElapsed(3) => Codes;
+        ops[3] = Op::AndElapsed(0) => Codes;
         ops[8] = Op::StepTimer { step: Bit(416), activated: Stamp(0), unit: Unit::Seconds } => Codes;
         ops[8] = Op::StepTimer { step: Bit(64), activated: Stamp(4), unit: Unit::Seconds } => Codes;
         codes[0] = Code { start: 0, len: 0 } => Codes;

@@ -206,6 +206,7 @@ pub(super) const GOOD: Program<'static> = Program {
             on_deactivation: 0b010,
             on_event: 0b010,
             forcing: 0b100,
+            varying: 0,
         },
     ],
     actors: &[],

@@ -78,6 +78,7 @@ fn a_word_of_a_situation_leads_to_the_steps_in_it_and_to_all_that_act() {
         masks[1].on_deactivation = 0b000 => Steps;
         masks[1].on_event = 0b110 => Steps;
         masks[1].forcing = 0b000 => Steps;
+        masks[1].varying = 0b001 => Steps;
         masks[0].timed = 0b1 => Steps;
         steps[36].duties = 1 => Steps;
         steps[36].momentary_count = 1 => Steps;
