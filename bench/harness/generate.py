@@ -33,7 +33,7 @@ def graph(sequence):
 def schedule():
     """Ten scans in which everything fires bring every sequence round once."""
     names = " ".join(f"I{number}" for number in range(INPUTS))
-    round_trip = "scan 9 fire\nexpect O0=1\nscan 1 fire\nexpect O0=0\n"
+    round_trip = "scan 5 fire\nexpect O0=1\nscan 5 fire\nexpect O0=0\n"
     return (
         f"in {names}\nout O0\ninit\nscan 1 first\nrest 20\nlook 6\nexpect O0=0\n"
         f"all 1\n{round_trip}{round_trip}scan 5 fire\nall 0\nrest 20\nlook 6\nexpect O0=1\nrandom 200\n"

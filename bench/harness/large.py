@@ -1,13 +1,14 @@
 """The large program: a hundred sequences of ten steps, a hundred of its thousand steps active.
 
 Every sequence goes round, and each of its transitions waits for one of 31 inputs; with all of them True a hundred
-transitions fire in every scan. Sleeping steps, with a transition and an action each, stand in sequences of a hundred
+transitions fire in every scan. One of the ten steps of each has an action. Sleeping steps, with a transition and an action each, stand in sequences of a hundred
 steps of which none is ever active.
 """
 
 from dataclasses import dataclass
 
 INPUTS = 31
+ACTS = 6
 SEQUENCES, STEPS, SLEEPERS = 100, 10, 100
 
 
@@ -33,11 +34,10 @@ class Sequence:
         return (7 * self.shift + step) % INPUTS
 
     def output(self, step):
-        """The number of the output that a step switches on, or none. The first sequence shows by its output that the
-        program goes round; others that are awake have none, so that firing is what is counted."""
+        """The number of the output that a step switches on, or none."""
         if not self.awake:
             return 1 + (self.shift + step) % (INPUTS - 1)
-        return 0 if self.shift == 0 and step > 1 else None
+        return self.shift % INPUTS if step == ACTS else None
 
 
 def sequences(sleeping):

@@ -3,7 +3,7 @@
 use core::cell::Cell;
 
 use crate::engine::Engine;
-use crate::memory::Memory;
+use crate::memory::{Following, Memory};
 use crate::program::{
     Arm, Assignment, Block, Compiled, Dependent, Masks, Momentary, Run, Step, Stored, Target,
     VisitSteps,
@@ -329,7 +329,7 @@ impl<P: Compiled, M: Memory> Showing<'_, P, M> {
         let tables = self.engine.tables;
         let program = tables.program();
         let start = usize::from(program.layout.situations.start);
-        let (image, _, armed) = self.engine.memory.store.following();
+        let Following { image, armed, .. } = self.engine.memory.store.following();
         let image = Cell::from_mut(image).as_slice_of_cells();
         let end = program.blocks.len().min(first + GROUP);
         let blocks = program.blocks.get(first..end).unwrap_or(&[]);

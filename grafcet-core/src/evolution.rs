@@ -6,7 +6,7 @@ use crate::bits::{bits_in_word, set_bits_of};
 use crate::engine::Engine;
 use crate::memory::Memory;
 use crate::program::{Arm, Armed, Block, Compiled, Crossing, Graph, Run, Step, Transition};
-use crate::sets::{GROUP, Set, rows};
+use crate::sets::{GROUP, Set, mark, rows};
 use crate::walk::{Groups, Visit, VisitSteps, each};
 
 impl<P: Compiled, M: Memory> Engine<P, M> {
@@ -317,15 +317,8 @@ impl<P: Compiled, M: Memory> Marking<'_, P, M> {
         if !across && !program.marks_all {
             return;
         }
-        let memory = &mut self.engine.memory;
-        let Some(word) = memory.store.fired_mut().get_mut(transition / 32) else {
-            return;
-        };
-        let is_first = *word == 0;
-        *word |= 1 << (transition % 32);
-        if is_first {
-            memory.insert(Set::Marked, transition / 32);
-        }
+        let parts = self.engine.memory.store.following();
+        mark(parts.fired, parts.sets, transition);
     }
 
     /// Gives a word its next situation, or puts it beside the word when others still read it.

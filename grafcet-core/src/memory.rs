@@ -45,6 +45,21 @@ impl Standing {
     }
 }
 
+/// Parts of a [`Memory`] that are written while sequences are followed.
+#[derive(Debug)]
+pub struct Following<'m> {
+    /// [`Memory::image`].
+    pub image: &'m mut [u32],
+    /// [`Memory::before`].
+    pub before: &'m mut [u32],
+    /// [`Memory::fired`].
+    pub fired: &'m mut [u32],
+    /// [`Memory::sets`].
+    pub sets: &'m mut [u32],
+    /// [`Memory::armed`].
+    pub armed: &'m mut [Armed],
+}
+
 /// The memory of one program: what [`storage!`](crate::storage) makes, or vectors on a host.
 ///
 /// The lengths that a program needs are in its [`Layout`]; with less room nothing panics, and what has none reads as
@@ -100,8 +115,8 @@ pub trait Memory {
     fn sets(&self) -> &[u32];
     /// The same, to be written.
     fn sets_mut(&mut self) -> &mut [u32];
-    /// The image, the situations before and what is armed, all to be written.
-    fn following(&mut self) -> (&mut [u32], &mut [u32], &mut [Armed]);
+    /// What sequences are followed by, all to be written.
+    fn following(&mut self) -> Following<'_>;
     /// What is armed in each word of situations. [`Layout::armed`] words, or none: all steps are looked at then.
     fn armed(&self) -> &[Armed];
     /// The same, to be written.
@@ -224,8 +239,14 @@ macro_rules! memory_methods {
         }
     )*
         #[inline(always)]
-        fn following(&mut self) -> (&mut [u32], &mut [u32], &mut [$crate::program::Armed]) {
-            (&mut self.image, &mut self.before, &mut self.armed)
+        fn following(&mut self) -> $crate::memory::Following<'_> {
+            $crate::memory::Following {
+                image: &mut self.image,
+                before: &mut self.before,
+                fired: &mut self.fired,
+                sets: &mut self.sets,
+                armed: &mut self.armed,
+            }
         }
     };
     (@target $($field:ident $field_mut:ident $type:ty),*) => {$(
@@ -239,7 +260,7 @@ macro_rules! memory_methods {
         }
     )*
         #[inline(always)]
-        fn following(&mut self) -> (&mut [u32], &mut [u32], &mut [$crate::program::Armed]) {
+        fn following(&mut self) -> $crate::memory::Following<'_> {
             (**self).following()
         }
     };

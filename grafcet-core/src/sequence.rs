@@ -5,9 +5,9 @@ use core::cell::Cell;
 
 use crate::engine::Engine;
 use crate::evolution::Marking;
-use crate::memory::Memory;
+use crate::memory::{Following, Memory};
 use crate::program::{Arm, Armed, Block, Compiled, Program, Taken};
-use crate::sets::GROUP;
+use crate::sets::{GROUP, mark};
 use crate::walk::Groups;
 
 impl<P: Compiled, M: Memory> Engine<P, M> {
@@ -59,24 +59,30 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
             .is_some_and(|it| self.term_holds(usize::from(it.term)) && self.holds_row(it.fires))
     }
 
-    /// Looks at groups of words as long as one Boolean says whether the transition fires that is armed there, and nobody
-    /// but the situation learns of it. Gives the first word of which that is not so, and what has fired.
+    /// Looks at groups of words as long as first terms say whether the transitions fire that are armed there. Gives the
+    /// first word of which that is not so, and what has fired.
     #[inline(never)]
     fn follow_plainly(&mut self, groups: &mut Groups) -> (Option<usize>, Taken) {
         let tables = self.tables;
         let program = tables.program();
         let first = usize::from(program.layout.situations.start);
-        let (image, before, armed) = self.memory.store.following();
+        let parts = self.memory.store.following();
+        let (image, armed) = (parts.image, parts.armed);
         let image = Cell::from_mut(image).as_slice_of_cells();
         let (Some(near), Some(situations)) =
             (image.first_chunk(), image.get(first..first + armed.len()))
         else {
             return (groups.next().map(|group| group * GROUP), Taken::NONE);
         };
-        let mut following = Following {
+        let mut looking = Looking {
             near,
-            arms: plain_arms(program),
-            before,
+            arms: if program.marks_all {
+                &[]
+            } else {
+                arms(program)
+            },
+            before: parts.before,
+            marks: None,
             taken: Taken::NONE,
         };
         let (armed, _) = armed.as_chunks_mut::<GROUP>();
@@ -93,7 +99,7 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
             {
                 let mut known = GROUP;
                 for (offset, (armed, situation)) in armed.iter_mut().zip(situations).enumerate() {
-                    if !following.look(group * GROUP + offset, armed, situation) {
+                    if !looking.look(group * GROUP + offset, armed, situation) {
                         known = offset;
                         break;
                     }
@@ -103,34 +109,36 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
                     && !armed.is_empty()
                 {
                     let first = group * GROUP + known;
-                    let (place, taken) =
-                        look_on(tables, image, following.before, armed, situations, first);
-                    following.taken.join(taken);
+                    let kept = (&mut *looking.before, &mut *parts.fired, &mut *parts.sets);
+                    let (place, taken) = look_on(tables, image, kept, armed, situations, first);
+                    looking.taken.join(taken);
                     if place.is_some() {
                         *groups = Groups {
                             left: left >> 1,
                             next: group + 1,
                         };
-                        return (place, following.taken);
+                        return (place, looking.taken);
                     }
                 }
             }
             left >>= 1;
             group += 1;
         }
-        (None, following.taken)
+        (None, looking.taken)
     }
 }
 
-/// What is needed to follow sequences.
-struct Following<'m> {
+/// What it takes to look whether a sequence goes on.
+struct Looking<'m> {
     near: &'m [Cell<u32>; Armed::WORDS],
     arms: &'m [Arm],
     before: &'m mut [u32],
+    /// The marks, if all that fire are marked, and the set of groups in which there are any.
+    marks: Option<(&'m mut [u32], &'m mut [u32])>,
     taken: Taken,
 }
 
-impl Following<'_> {
+impl Looking<'_> {
     /// Looks at a word, if one Boolean will do.
     #[inline(always)]
     fn look(&mut self, place: usize, armed: &mut Armed, situation: &Cell<u32>) -> bool {
@@ -150,6 +158,9 @@ impl Following<'_> {
     fn go_on(&mut self, place: usize, armed: &mut Armed, situation: &Cell<u32>, arm: &Arm) {
         self.keep(place, situation);
         self.taken.take(arm.course);
+        if let Some((fired, sets)) = &mut self.marks {
+            mark(fired, sets, usize::from(arm.transition));
+        }
         situation.set(arm.course.enters());
         *armed = arm.next;
     }
@@ -163,10 +174,10 @@ impl Following<'_> {
     }
 }
 
-/// The transitions that fire without anybody but the situation learning of it.
+/// The transitions that change the situation as soon as they fire.
 #[inline(always)]
-fn plain_arms<'a>(program: &Program<'a>) -> &'a [Arm] {
-    match program.crosses_at_once && !program.marks_all {
+fn arms<'a>(program: &Program<'a>) -> &'a [Arm] {
+    match program.crosses_at_once {
         true => program.arms.get(..Armed::ROWS).unwrap_or(program.arms),
         false => &[],
     }
@@ -180,7 +191,7 @@ fn plain_arms<'a>(program: &Program<'a>) -> &'a [Arm] {
 fn look_on<P: Compiled>(
     tables: P,
     image: &[Cell<u32>],
-    before: &mut [u32],
+    (before, fired, sets): (&mut [u32], &mut [u32], &mut [u32]),
     armed: &mut [Armed],
     situations: &[Cell<u32>],
     first: usize,
@@ -189,25 +200,26 @@ fn look_on<P: Compiled>(
     let Some(near) = image.first_chunk() else {
         return (Some(first), Taken::NONE);
     };
-    let mut following = Following {
+    let mut looking = Looking {
         near,
-        arms: plain_arms(program),
+        arms: arms(program),
         before,
+        marks: program.marks_all.then_some((fired, sets)),
         taken: Taken::NONE,
     };
     let words = armed.iter_mut().zip(situations);
     for (place, (armed, situation)) in (first..).zip(words) {
-        if !following.look(place, armed, situation) {
+        if !looking.look(place, armed, situation) {
             match look_closer(program, image, *armed) {
-                Closer::Stays => following.keep(place, situation),
-                Closer::Fires(arm) if !following.arms.is_empty() => {
-                    following.go_on(place, armed, situation, arm);
+                Closer::Stays => looking.keep(place, situation),
+                Closer::Fires(arm) if !looking.arms.is_empty() => {
+                    looking.go_on(place, armed, situation, arm);
                 }
-                Closer::Fires(_) | Closer::Unknown => return (Some(place), following.taken),
+                Closer::Fires(_) | Closer::Unknown => return (Some(place), looking.taken),
             }
         }
     }
-    (None, following.taken)
+    (None, looking.taken)
 }
 
 /// What a look at the first term of a transition says, which is known to be armed.
@@ -255,7 +267,7 @@ impl<P: Compiled, M: Memory> Marking<'_, P, M> {
     /// Looks whether the transition fires that is armed in a word, if that is known.
     pub(crate) fn follow_closer(&mut self, place: usize) -> bool {
         let tables = self.engine.tables;
-        let (image, _, armed) = self.engine.memory.store.following();
+        let Following { image, armed, .. } = self.engine.memory.store.following();
         let image = Cell::from_mut(image).as_slice_of_cells();
         let (Some(near), Some(armed)) = (image.first_chunk(), armed.get(place)) else {
             return false;

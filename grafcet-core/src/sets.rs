@@ -89,6 +89,22 @@ impl<M: Memory> Bank<M> {
     }
 }
 
+/// Marks a transition.
+#[inline(always)]
+pub(crate) fn mark(fired: &mut [u32], sets: &mut [u32], transition: usize) {
+    let place = transition / 32;
+    let Some(marks) = fired.get_mut(place) else {
+        return;
+    };
+    let is_first = *marks == 0;
+    *marks |= 1 << (transition % 32);
+    let group = place / GROUP;
+    // The set of marked groups is the first one.
+    if is_first && let Some(row) = sets.get_mut(group / 32) {
+        *row |= 1 << (group % 32);
+    }
+}
+
 /// How many words the bits of a set of so many words take.
 pub(crate) const fn rows(words: usize) -> usize {
     words.div_ceil(GROUP * 32)
