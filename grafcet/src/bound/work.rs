@@ -67,51 +67,51 @@ macro_rules! kinds {
 
 kinds! {
     /// The scan itself.
-    Scan 265 253 48
+    Scan 383 346 48
     /// Outputs that are neighbours are collected.
-    Lane 36 36 343
+    Lane 36 36 357
     /// A round of a program that evolves `stable`.
-    Round 173 180 144
+    Round 58 60 144
     /// A word of situations is looked at on one of the walks over steps.
-    Word 56 33 45
+    Word 44 33 24
     /// Steps that sleep are passed over, four at a time.
-    Sleepers 40 36 21
+    Sleepers 36 42 51
     /// A step that is active, or was, is visited on one of the walks.
-    Visit 23 23 6
+    Visit 23 8 3
     /// A transition is looked at.
-    Arm 66 67 62
-    ArmLooped 400 403 226
+    Arm 23 23 21
+    ArmLooped 1099 1010 538
     /// A masked word is compared.
-    Term 40 8 18
+    Term 14 8 6
     TermLooped 129 50 18
     /// A timer on a step is looked at, one that is asked for only while the step is active.
-    OwnTimer 29 193 242
-    OwnTimerLooped 250 250 200
+    OwnTimer 66 102 242
+    OwnTimerLooped 649 1000 293
     /// Any other.
     Timer 60 139 150
     TimerLooped 134 134 100
     /// An operation on Booleans.
-    Logic 6 51 15
-    LogicLooped 147 73 31
+    Logic 6 17 5
+    LogicLooped 147 83 124
     /// A piece of code on numbers.
-    Code 68 68 45
+    Code 272 272 180
     /// An operation of it.
     Operation 13 16 11
-    OperationLooped 896 912 650
+    OperationLooped 823 853 607
     /// A multiplication or division, beside that.
-    Product 121 121 34
+    Product 41 41 34
     /// A transition fires.
-    Fire 25 25 6
+    Fire 25 13 6
     FireLooped 700 700 526
     /// A step of a large graph is left or entered.
-    Link 1121 1000 561
+    Link 1268 1143 656
     /// A word of transitions is cleared, where there are several.
     Marks 140 140 113
     /// A word of transitions is searched for those that have fired.
     Search 54 54 44
     /// A momentary statement.
-    Momentary 44 55 32
-    MomentaryLooped 177 150 120
+    Momentary 32 37 15
+    MomentaryLooped 225 150 120
     /// A word of its variables.
     Target 27 27 23
     TargetLooped 120 120 45
@@ -123,22 +123,22 @@ kinds! {
     Stored 30 30 24
     StoredLooped 30 30 24
     /// It stores a Boolean.
-    Bit 40 40 100
-    BitLooped 981 1335 999
+    Bit 40 40 34
+    BitLooped 1002 1313 738
     /// It stores a number.
     Number 67 67 54
-    NumberLooped 38 38 30
+    NumberLooped 114 38 30
     /// An event is looked at.
     Event 150 150 120
     /// The time of an activation is noted.
-    Stamp 15 15 53
+    Stamp 15 15 18
     /// A word of inputs is searched for edges.
-    Edges 244 151 68
+    Edges 249 149 81
     /// An edge with a memory of its own.
     Edge 875 875 700
     EdgeLooped 75 75 60
     /// A timer with a memory of its own.
-    Delay 1643 1767 2034
+    Delay 1473 1552 1652
     DelayLooped 1200 1124 432
     /// A Boolean that is worked out in every scan.
     Value 200 200 150
@@ -148,13 +148,13 @@ kinds! {
     /// A step of its expansion.
     Inner 26 26 15
     /// A graph takes its place in the hierarchy.
-    Graph 80 59 156
-    GraphLooped 2595 2678 2510
+    Graph 48 59 100
+    GraphLooped 2535 2062 1624
     /// A word of its situation is ordered through.
-    Ordered 134 134 107
+    Ordered 134 134 36
     /// An order.
-    Order 84 84 200
-    OrderLooped 121 113 108
+    Order 84 84 67
+    OrderLooped 41 113 108
     /// A step that encloses a graph.
     Enclosing 300 300 250
     /// A word of a situation is given.
@@ -164,19 +164,19 @@ kinds! {
     /// A word of the sets of words of a large program.
     Sets 200 200 160
     /// A step is visited in a large program.
-    VisitLooped 250 250 200
+    VisitLooped 428 506 714
     /// In a word of a large program it is known what is armed, and one Boolean says whether it fires.
     Followed 200 130 100
     /// There it takes more than a Boolean.
-    FollowedCloser 1000 800 600
+    FollowedCloser 1000 840 650
     /// A transition fires there.
-    FollowedFire 450 230 200
+    FollowedFire 873 230 200
     /// It is known of a word that nothing is to be shown.
-    FollowedPassed 200 180 150
+    FollowedPassed 200 180 201
     /// It is noted that it does.
     FollowedMark 450 450 400
     /// There is something to be shown.
-    FollowedShown 600 600 500
+    FollowedShown 600 497 299
 }
 
 /// How often what is done.
