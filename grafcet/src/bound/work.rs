@@ -67,51 +67,51 @@ macro_rules! kinds {
 
 kinds! {
     /// The scan itself.
-    Scan 383 346 48
+    Scan 406 436 48
     /// Outputs that are neighbours are collected.
-    Lane 36 36 357
+    Lane 36 36 363
     /// A round of a program that evolves `stable`.
-    Round 58 60 144
+    Round 58 60 48
     /// A word of situations is looked at on one of the walks over steps.
-    Word 44 33 24
+    Word 50 11 21
     /// Steps that sleep are passed over, four at a time.
-    Sleepers 36 42 51
+    Sleepers 20 43 51
     /// A step that is active, or was, is visited on one of the walks.
-    Visit 23 8 3
+    Visit 23 3 3
     /// A transition is looked at.
-    Arm 23 23 21
-    ArmLooped 1099 1010 538
+    Arm 23 10 21
+    ArmLooped 1092 1183 545
     /// A masked word is compared.
-    Term 14 8 6
-    TermLooped 129 50 18
+    Term 16 29 6
+    TermLooped 106 17 18
     /// A timer on a step is looked at, one that is asked for only while the step is active.
-    OwnTimer 66 102 242
-    OwnTimerLooped 649 1000 293
+    OwnTimer 76 142 233
+    OwnTimerLooped 649 342 293
     /// Any other.
     Timer 60 139 150
     TimerLooped 134 134 100
     /// An operation on Booleans.
-    Logic 6 17 5
-    LogicLooped 147 83 124
+    Logic 6 6 2
+    LogicLooped 125 138 86
     /// A piece of code on numbers.
-    Code 272 272 180
+    Code 320 408 534
     /// An operation of it.
-    Operation 13 16 11
-    OperationLooped 823 853 607
+    Operation 13 8 4
+    OperationLooped 810 812 474
     /// A multiplication or division, beside that.
     Product 41 41 34
     /// A transition fires.
     Fire 25 13 6
-    FireLooped 700 700 526
+    FireLooped 700 81 526
     /// A step of a large graph is left or entered.
-    Link 1268 1143 656
+    Link 1341 1045 762
     /// A word of transitions is cleared, where there are several.
     Marks 140 140 113
     /// A word of transitions is searched for those that have fired.
-    Search 54 54 44
+    Search 37 42 44
     /// A momentary statement.
-    Momentary 32 37 15
-    MomentaryLooped 225 150 120
+    Momentary 53 43 15
+    MomentaryLooped 251 150 120
     /// A word of its variables.
     Target 27 27 23
     TargetLooped 120 120 45
@@ -120,25 +120,25 @@ kinds! {
     /// A word of momentary variables is cleared and compared, where there are several.
     Shown 200 200 150
     /// A stored statement.
-    Stored 30 30 24
+    Stored 10 10 8
     StoredLooped 30 30 24
     /// It stores a Boolean.
-    Bit 40 40 34
-    BitLooped 1002 1313 738
+    Bit 14 14 12
+    BitLooped 1096 1177 851
     /// It stores a number.
-    Number 67 67 54
+    Number 23 23 18
     NumberLooped 114 38 30
     /// An event is looked at.
     Event 150 150 120
     /// The time of an activation is noted.
     Stamp 15 15 18
     /// A word of inputs is searched for edges.
-    Edges 249 149 81
+    Edges 185 95 94
     /// An edge with a memory of its own.
-    Edge 875 875 700
+    Edge 875 292 700
     EdgeLooped 75 75 60
     /// A timer with a memory of its own.
-    Delay 1473 1552 1652
+    Delay 1542 1582 1345
     DelayLooped 1200 1124 432
     /// A Boolean that is worked out in every scan.
     Value 200 200 150
@@ -148,27 +148,27 @@ kinds! {
     /// A step of its expansion.
     Inner 26 26 15
     /// A graph takes its place in the hierarchy.
-    Graph 48 59 100
-    GraphLooped 2535 2062 1624
+    Graph 48 59 123
+    GraphLooped 2553 2227 1617
     /// A word of its situation is ordered through.
     Ordered 134 134 36
     /// An order.
     Order 84 84 67
-    OrderLooped 41 113 108
+    OrderLooped 41 38 108
     /// A step that encloses a graph.
     Enclosing 300 300 250
     /// A word of a situation is given.
-    Given 45 102 62
+    Given 45 38 62
     /// A word of situations is passed on the walks of a large program.
     WordLooped 89 83 168
     /// A word of the sets of words of a large program.
     Sets 200 200 160
     /// A step is visited in a large program.
-    VisitLooped 428 506 714
+    VisitLooped 428 1111 714
     /// In a word of a large program it is known what is armed, and one Boolean says whether it fires.
     Followed 200 130 100
     /// There it takes more than a Boolean.
-    FollowedCloser 1000 840 650
+    FollowedCloser 988 840 484
     /// A transition fires there.
     FollowedFire 873 230 200
     /// It is known of a word that nothing is to be shown.
@@ -176,7 +176,7 @@ kinds! {
     /// It is noted that it does.
     FollowedMark 450 450 400
     /// There is something to be shown.
-    FollowedShown 600 497 299
+    FollowedShown 599 496 298
 }
 
 /// How often what is done.
