@@ -73,10 +73,11 @@ impl<M: Memory> Bank<M> {
     /// Takes 32 neighbouring groups out of the set of marked ones, and gives those that were in it.
     pub(crate) fn take_marked(&mut self, row: usize) -> u32 {
         let row = self.first(Set::Marked) + row;
-        self.store
-            .sets_mut()
-            .get_mut(row)
-            .map_or(0, core::mem::take)
+        match self.store.sets_mut().get_mut(row) {
+            // Mostly nothing is, and nothing need be written.
+            Some(groups) if *groups != 0 => core::mem::take(groups),
+            _ => 0,
+        }
     }
 
     /// Where the bits of a set begin.
