@@ -13,38 +13,32 @@ const STEPS: usize = 70;
 
 #[test]
 fn steps_of_a_long_sequence_are_read_by_others_of_it_as_they_were_before_the_scan() {
-    let mut fired = 0;
-    for seed in 0..20 {
-        let mut random = Random::new(seed);
-        let text = Text {
-            main: program(&mut random),
-            library: None,
-        };
-        let stimulus = stimulus(&mut random, &Trees::of(&text).program(), 300);
-        match compare(&text, &stimulus) {
-            Ok(tally) => fired += tally.fired,
-            Err(failure) => panic!("seed {seed}: {failure}\n{}", text.main),
-        }
-    }
+    let fired = fired(20, 300, program);
     assert!(fired > 500, "{fired} transitions fire");
 }
 
 #[test]
 fn many_sequences_wait_and_go_on_and_show_what_they_do() {
+    let fired = fired(60, 200, sequences);
+    assert!(fired > 5000, "{fired} transitions fire");
+}
+
+/// How many transitions fire in so many programs, which the engines and the reference must run alike for so many scans.
+fn fired(programs: u64, scans: usize, program: impl Fn(&mut Random) -> String) -> usize {
     let mut fired = 0;
-    for seed in 0..60 {
+    for seed in 0..programs {
         let mut random = Random::new(seed);
         let text = Text {
-            main: sequences(&mut random),
+            main: program(&mut random),
             library: None,
         };
-        let stimulus = stimulus(&mut random, &Trees::of(&text).program(), 200);
+        let stimulus = stimulus(&mut random, &Trees::of(&text).program(), scans);
         match compare(&text, &stimulus) {
             Ok(tally) => fired += tally.fired,
             Err(failure) => panic!("seed {seed}: {failure}\n{}", text.main),
         }
     }
-    assert!(fired > 5000, "{fired} transitions fire");
+    fired
 }
 
 /// Up to sixty graphs, most of them sequences, some asleep. Nothing asks which transitions have fired; some programs read
