@@ -12,7 +12,7 @@ use std::collections::BTreeMap;
 use grafcet_core::program::{Forced, Graph, Program};
 
 pub use self::together::Together;
-pub use self::trigger::Trigger;
+pub use self::trigger::{Asks, Trigger};
 
 /// Steps of one graph beyond which all are taken to be active together: the relation has their square.
 const MOST_STEPS: usize = 2048;

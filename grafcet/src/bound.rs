@@ -8,6 +8,7 @@ mod graph;
 mod report;
 mod rounds;
 mod rows;
+mod settling;
 #[cfg(test)]
 mod tests;
 pub mod work;
@@ -33,8 +34,13 @@ pub struct Bound {
     pub cpu: Cpu,
     /// What it is made of: what every scan does, then the graphs in source order.
     pub shares: Vec<Share>,
-    /// Rounds of a scan, in each of which all shares count.
+    /// Rounds of a scan. All shares count in the first one; in those behind it, too, unless it is known how many firings
+    /// there are.
     pub rounds: Rounds,
+    /// What each round does behind the first one, firings excepted, where it is known how many there are.
+    pub quiet: Work,
+    /// The most that one firing does there.
+    pub firing: Work,
     /// What is done once behind all rounds; nothing unless the program evolves `stable`.
     pub end: Work,
 }
@@ -79,12 +85,19 @@ impl Bound {
         let lanes = Work::of(Kind::Lane, lanes(&unit.symbols.variables));
         let once = once(rows) + lanes + walks(rows, &graphs, Walks::Scan);
         let repeated = repeated(rows, marked(rows, &graphs)) + walks(rows, &graphs, Walks::Round);
+        let mut quiet = Work::NONE;
+        let mut firing = Work::NONE;
         let (part, always, end) = match program.evolution {
             Evolution::Scan => (Part::Scan, repeated + once, Work::NONE),
             Evolution::Stable => {
+                let always = repeated + Work::one(Kind::Round);
+                quiet += always.clone();
+                for graph in &graphs {
+                    quiet += graph.most(Part::Quiet, cpu).work + graph.sources(Part::Quiet, cpu);
+                    firing = firing.or(graph.later(cpu), cpu);
+                }
                 let ends = graphs.iter().map(|graph| graph.most(Part::End, cpu).work);
-                let round = Work::one(Kind::Round);
-                (Part::Round, repeated + round, once + ends.sum())
+                (Part::Round, always, once + ends.sum())
             }
         };
         let mut shares = vec![Share {
@@ -104,11 +117,13 @@ impl Bound {
             cpu,
             shares,
             rounds,
+            quiet,
+            firing,
             end,
         }
     }
 
-    /// Instructions of a round, or of the scan when it has none.
+    /// Instructions of the first round, or of the scan when it has none.
     #[must_use]
     pub fn round(&self) -> u64 {
         let shares = self.shares.iter().map(|share| share.work.clone());
@@ -119,7 +134,16 @@ impl Bound {
     #[must_use]
     pub fn work(&self) -> Work {
         let shares = self.shares.iter().map(|share| share.work.clone());
-        shares.sum::<Work>() * u64::from(self.rounds.most()) + self.end.clone()
+        let first: Work = shares.sum();
+        let rounds = match self.rounds {
+            Rounds::One => first,
+            Rounds::Settle { firings } => {
+                let firings = u64::from(firings);
+                first + self.quiet.clone() * (firings + 1) + self.firing.clone() * firings
+            }
+            Rounds::Limit => first * u64::from(self.rounds.most()),
+        };
+        rounds + self.end.clone()
     }
 
     /// Instructions of a scan at most.

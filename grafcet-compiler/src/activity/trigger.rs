@@ -98,31 +98,88 @@ impl Trigger {
         self.terms.iter().any(waits)
     }
 
-    /// Tries all ways in which what the two depend on can stand.
-    fn meets(&self, other: &Trigger) -> bool {
-        let fixed: BTreeMap<Thing, usize> = [self, other]
-            .into_iter()
-            .flat_map(|trigger| trigger.terms.iter().flat_map(literals))
-            .collect();
+    /// The bits that it depends on, each with what it may ask of it.
+    #[must_use]
+    pub fn bits(&self) -> BTreeMap<u16, Asks> {
+        let mut bits = BTreeMap::new();
+        for (thing, is) in self.terms.iter().flat_map(literals) {
+            ask(&mut bits, &thing, is != 0);
+        }
+        self.rest.bits(false, &mut bits);
+        bits
+    }
+
+    /// The timers that it depends on, by their rows.
+    #[must_use]
+    pub fn timers(&self) -> Vec<u16> {
         let mut things = BTreeSet::new();
         self.rest.things(&mut things);
-        other.rest.things(&mut things);
-        things.retain(|thing| !fixed.contains_key(thing));
-        let ways = things.iter().map(Thing::ways);
-        let ways = ways.fold(1, usize::saturating_mul);
-        if ways > MOST_WAYS {
-            return true;
-        }
-        let mut stand = fixed;
-        (0..ways).any(|way| {
-            let mut way = way;
-            for thing in &things {
-                stand.insert(thing.clone(), way % thing.ways());
-                way /= thing.ways();
-            }
-            self.rest.holds(&stand) && other.rest.holds(&stand)
-        })
+        let timers = things.into_iter().filter_map(|thing| match thing {
+            Thing::Timer(row) => Some(row),
+            _ => None,
+        });
+        timers.collect()
     }
+
+    /// Whether it can be True while some bits stand as given and some timers, by their rows, have not run out.
+    #[must_use]
+    pub fn can_hold(&self, bits: &BTreeMap<u16, bool>, running: &BTreeSet<u16>) -> bool {
+        let bits = bits.iter();
+        let bits = bits.map(|(bit, is)| (Thing::Bit(*bit), usize::from(*is)));
+        let timers = running.iter().map(|timer| (Thing::Timer(*timer), 0));
+        let mut stand: BTreeMap<Thing, usize> = bits.chain(timers).collect();
+        let mut literals = self.terms.iter().flat_map(literals);
+        literals.all(|(thing, is)| *stand.entry(thing).or_insert(is) == is)
+            && hold_at_once(&[&self.rest], stand)
+    }
+
+    /// Tries all ways in which what the two depend on can stand.
+    fn meets(&self, other: &Trigger) -> bool {
+        let literals = [self, other]
+            .into_iter()
+            .flat_map(|trigger| trigger.terms.iter().flat_map(literals));
+        hold_at_once(&[&self.rest, &other.rest], literals.collect())
+    }
+}
+
+/// What a trigger may ask of a bit.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Asks {
+    /// That it is True.
+    pub to_be_true: bool,
+    /// That it is False.
+    pub to_be_false: bool,
+}
+
+fn ask(bits: &mut BTreeMap<u16, Asks>, thing: &Thing, to_be: bool) {
+    if let Thing::Bit(bit) = thing {
+        let asks = bits.entry(*bit).or_default();
+        asks.to_be_true |= to_be;
+        asks.to_be_false |= !to_be;
+    }
+}
+
+/// Whether functions can be True at once when some things stand as given: all ways are tried in which the others can
+/// stand.
+fn hold_at_once(functions: &[&Formula], mut stand: BTreeMap<Thing, usize>) -> bool {
+    let mut things = BTreeSet::new();
+    for function in functions {
+        function.things(&mut things);
+    }
+    things.retain(|thing| !stand.contains_key(thing));
+    let ways = things.iter().map(Thing::ways);
+    let ways = ways.fold(1, usize::saturating_mul);
+    if ways > MOST_WAYS {
+        return true;
+    }
+    (0..ways).any(|way| {
+        let mut way = way;
+        for thing in &things {
+            stand.insert(thing.clone(), way % thing.ways());
+            way /= thing.ways();
+        }
+        functions.iter().all(|function| function.holds(&stand))
+    })
 }
 
 /// The bits of a term, and how they must stand.
@@ -145,6 +202,24 @@ impl Formula {
             Formula::Both(_, left, right) => {
                 left.things(things);
                 right.things(things);
+            }
+        }
+    }
+
+    /// Adds what it may ask of bits, or its negation.
+    fn bits(&self, negated: bool, bits: &mut BTreeMap<u16, Asks>) {
+        match self {
+            Formula::Constant(_) | Formula::Compares(..) => {}
+            Formula::Is(thing) => ask(bits, thing, !negated),
+            Formula::Not(inner) => inner.bits(!negated, bits),
+            Formula::Both(op, left, right) => {
+                let both_ways = !matches!(op, Op::And | Op::Or);
+                for inner in [left, right] {
+                    inner.bits(negated, bits);
+                    if both_ways {
+                        inner.bits(!negated, bits);
+                    }
+                }
             }
         }
     }

@@ -1,6 +1,6 @@
 //! The most that one graph takes, and the situation in which it does.
 
-use grafcet_compiler::activity::Activity;
+use grafcet_compiler::activity::{Activity, Firing};
 use grafcet_core::program::{Arm, Armed, Graph, Step};
 
 use super::rows::Rows;
@@ -13,6 +13,8 @@ pub enum Part {
     Scan,
     /// A round of a scan that evolves `stable`: all but what follows no change.
     Round,
+    /// A round in which no firing changes anything.
+    Quiet,
     /// What is left for the end of such a scan.
     End,
 }
@@ -74,20 +76,42 @@ impl Acting<'_> {
             return own;
         }
         // When its own evolution is void, it stays what it was or takes what it is given.
-        let void = self.heaviest(cpu, |place| self.void(place, part, cpu));
-        let given = self.activity.given.iter().map(|set| {
-            let words = Work::of(Kind::Given, usize::from(self.graph.words().len));
-            words + set.iter().map(|place| self.enter(*place, part)).sum()
-        });
-        let given = given.fold(Work::NONE, |most, set| most.or(set, cpu));
-        let void = Most {
-            work: void.work + given,
-            steps: void.steps,
+        let stays = self.heaviest(cpu, |place| self.void(place, part) + self.stay(place, part));
+        let given = self
+            .activity
+            .given
+            .iter()
+            .map(|set| self.given(set, part, cpu));
+        given.chain([stays]).fold(own, |most, other| {
+            match other.work.tenths(cpu) > most.work.tenths(cpu) {
+                true => other,
+                false => most,
+            }
+        })
+    }
+
+    /// It is given a set of steps.
+    fn given(&self, set: &[usize], part: Part, cpu: Cpu) -> Most {
+        // A step that was active and is given stays so, and is not entered.
+        let before = |place: usize| match set.contains(&place) {
+            true => self.void(place, part) + self.stay(place, part),
+            false => self.void(place, part) + self.leave(place, part),
         };
-        match void.work.tenths(cpu) > own.work.tenths(cpu) {
-            true => void,
-            false => own,
-        }
+        let instead = |place: usize| match set.contains(&place) {
+            true => self.enter(place, part).tenths(cpu),
+            false => 0,
+        };
+        let weights = self
+            .places()
+            .map(|place| before(place).tenths(cpu).saturating_sub(instead(place)));
+        let weights: Vec<u64> = weights.collect();
+        let steps = self.activity.steps.heaviest(&weights, self.activity.most);
+        let entered = set.iter().filter(|place| !steps.contains(place));
+        let words = Work::of(Kind::Given, usize::from(self.graph.words().len));
+        let work = words
+            + steps.iter().map(|place| before(*place)).sum()
+            + entered.map(|place| self.enter(*place, part)).sum();
+        Most { work, steps }
     }
 
     /// Whether it can be kept in its situation.
@@ -96,15 +120,23 @@ impl Acting<'_> {
     }
 
     fn heaviest(&self, cpu: Cpu, work: impl Fn(usize) -> Work) -> Most {
-        let works: Vec<Work> = (0..self.activity.steps.size()).map(work).collect();
+        let works: Vec<Work> = self.places().map(work).collect();
         let weights: Vec<u64> = works.iter().map(|work| work.tenths(cpu)).collect();
         let steps = self.activity.steps.heaviest(&weights, self.activity.most);
         let work = steps.iter().filter_map(|it| works.get(*it)).cloned().sum();
         Most { work, steps }
     }
 
+    /// Its steps, counted from the first one.
+    fn places(&self) -> std::ops::Range<usize> {
+        0..self.activity.steps.size()
+    }
+
     /// A step that was active: it stays so, or is left by what it arms.
     fn own(&self, place: usize, part: Part, cpu: Cpu) -> Work {
+        if part == Part::Quiet {
+            return self.look(place, part) + self.stay(place, part) + self.turns(place);
+        }
         let left = self.leave(place, part) + self.firings(place, part, cpu);
         let stays = match part != Part::End && self.is_left_at_once(place) {
             true => Work::NONE,
@@ -119,15 +151,13 @@ impl Acting<'_> {
         firings.any(|it| it.leaves == [place] && it.trigger.is_certain())
     }
 
-    /// A step that was active in a graph whose own evolution is void.
-    fn void(&self, place: usize, part: Part, cpu: Cpu) -> Work {
+    /// What is looked at for a step that was active in a graph whose own evolution is void.
+    fn void(&self, place: usize, part: Part) -> Work {
         let fired = match part {
             Part::End => 0,
-            Part::Scan | Part::Round => self.step(place).map_or(0, |step| step.arms().len),
+            _ => self.step(place).map_or(0, |step| step.arms().len),
         };
-        self.look(place, part)
-            + Work::of(self.rows.fire(), usize::from(fired))
-            + self.stay(place, part).or(self.leave(place, part), cpu)
+        self.look(place, part) + Work::of(self.rows.fire(), usize::from(fired))
     }
 
     fn step(&self, place: usize) -> Option<&Step> {
@@ -169,7 +199,7 @@ impl Acting<'_> {
         let lasting = duties.map_or(Work::NONE, |it| rows.visit(rows.lasting(it.stored))) + shown;
         match part {
             Part::Scan => orders + lasting,
-            Part::Round => orders,
+            Part::Round | Part::Quiet => orders,
             Part::End => lasting,
         }
     }
@@ -197,6 +227,24 @@ impl Acting<'_> {
             })
     }
 
+    /// The transitions that lead from a step to itself fire and change nothing.
+    fn turns(&self, place: usize) -> Work {
+        let firings = self.activity.firings.iter();
+        let turns = firings.filter(|it| it.leaves == [place] && it.leaves == it.enters);
+        turns.map(|firing| self.crossed(firing)).sum()
+    }
+
+    /// The most that one firing behind the first round does beside what is done in a quiet one.
+    pub fn later(&self, cpu: Cpu) -> Work {
+        let firings = self.activity.firings.iter().enumerate();
+        let works = firings.map(|(at, firing)| {
+            let left = firing.leaves.iter();
+            let left: Work = left.map(|step| self.leave(*step, Part::Round)).sum();
+            left + self.fire(at, Part::Round)
+        });
+        works.fold(Work::NONE, |most, work| most.or(work, cpu))
+    }
+
     /// The transitions of which a step is the first entrance: those of them that can fire together.
     fn firings(&self, place: usize, part: Part, cpu: Cpu) -> Work {
         if part == Part::End {
@@ -210,12 +258,15 @@ impl Acting<'_> {
 
     /// The transitions without entrance steps.
     pub fn sources(&self, part: Part, cpu: Cpu) -> Work {
+        let role = self.rows.program.role(self.graph);
+        let looked_at = self.rows.arms(role.sources, false);
+        if part == Part::Quiet {
+            return looked_at;
+        }
         let firings = self.activity.firings.iter().enumerate();
         let own = firings.filter(|(_, firing)| firing.leaves.is_empty());
         let own: Vec<usize> = own.map(|(at, _)| at).collect();
-        self.rows
-            .arms(self.rows.program.role(self.graph).sources, false)
-            + self.together(&own, part, cpu)
+        looked_at + self.together(&own, part, cpu)
     }
 
     fn together(&self, firings: &[usize], part: Part, cpu: Cpu) -> Work {
@@ -230,12 +281,16 @@ impl Acting<'_> {
         let Some(firing) = self.activity.firings.get(firing) else {
             return Work::NONE;
         };
+        let entered = firing.enters.iter().map(|step| self.enter(*step, part));
+        self.crossed(firing) + entered.sum()
+    }
+
+    /// A transition fires, whatever that leaves and enters.
+    fn crossed(&self, firing: &Firing) -> Work {
         let transition = self.rows.program.transitions.get(firing.row);
-        let itself = transition.map_or(Work::NONE, |it| match self.is_followed() {
+        transition.map_or(Work::NONE, |it| match self.is_followed() {
             true => self.rows.followed_firing(it),
             false => self.rows.firing(it),
-        });
-        let entered = firing.enters.iter().map(|step| self.enter(*step, part));
-        itself + entered.sum()
+        })
     }
 }

@@ -5,7 +5,7 @@ use std::fmt::Write;
 use grafcet_compiler::application::{Symbols, Unit};
 use serde_json::json;
 
-use super::work::Cpu;
+use super::work::{Cpu, Work};
 use super::{Bound, Rounds, Sharer};
 use crate::table::Table;
 
@@ -61,6 +61,8 @@ pub fn json(unit: &Unit, clocks: Clocks) -> serde_json::Value {
             "mhz": clocks.of(cpu),
             "rounds": bound.rounds.most(),
             "a_round": bound.round(),
+            "a_later_round": bound.quiet.instructions(cpu),
+            "a_later_firing": bound.firing.instructions(cpu),
             "shares": shares.collect::<Vec<_>>(),
             "work": work.collect::<serde_json::Map<_, _>>(),
         });
@@ -128,12 +130,16 @@ fn rows(unit: &Unit, bounds: &[Bound]) -> Vec<(String, Vec<u64>)> {
         let sums = (0..bounds.len()).map(sum).collect();
         shown.push((format!("{} more graphs", rest.len()), sums));
     }
+    let mut row = |name: &str, work: fn(&Bound) -> &Work| {
+        let cells = bounds.iter().map(|it| work(it).instructions(it.cpu));
+        shown.push((name.to_owned(), cells.collect()));
+    };
+    if let Rounds::Settle { .. } = first.rounds {
+        row("a round behind the first", |bound| &bound.quiet);
+        row("a firing in it", |bound| &bound.firing);
+    }
     if first.rounds != Rounds::One {
-        let ends = bounds
-            .iter()
-            .map(|it| it.end.instructions(it.cpu))
-            .collect();
-        shown.push(("behind the last round".to_owned(), ends));
+        row("behind the last round", |bound| &bound.end);
     }
     shown
 }
@@ -141,9 +147,10 @@ fn rows(unit: &Unit, bounds: &[Bound]) -> Vec<(String, Vec<u64>)> {
 fn rounds(bound: &Bound) -> String {
     match bound.rounds {
         Rounds::One => String::new(),
-        Rounds::AtMost(rounds) => format!(
-            "\nThe program evolves stable: {rounds} rounds at most, since what fires behind the first one leads to steps\n\
-             that are not left in the same scan. The shares are of one round.\n"
+        Rounds::Settle { firings } => format!(
+            "\nThe program evolves stable: {} rounds at most, since what fires behind the first one leads to steps\n\
+             that are not left in the same scan, in {firings} firings at most. The shares are of the first round.\n",
+            bound.rounds.most()
         ),
         Rounds::Limit => format!(
             "\nThe program evolves stable, and nothing in its structure ends a scan before the {} rounds after which it\n\

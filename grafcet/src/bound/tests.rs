@@ -174,7 +174,7 @@ fn rounds_end_where_every_way_round_waits_for_an_edge() {
         )
     };
     // From 1 it gets to 3 in two firings behind the first, and one round more finds that nothing fires.
-    assert_eq!(rounds(&ring("↑c")), Rounds::AtMost(4));
+    assert_eq!(rounds(&ring("↑c")), Rounds::Settle { firings: 2 });
     assert_eq!(rounds(&ring("c")), Rounds::Limit);
     assert_eq!(Rounds::Limit.most(), 100);
 }
