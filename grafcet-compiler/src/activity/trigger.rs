@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use grafcet_core::program::{Code, Op, Program, Rest, Term, Transition};
+use grafcet_core::program::{Code, Condition, Op, Program, Rest, Term, Transition};
 
 /// Ways in which things can stand that are tried; where there are more, two triggers are taken to be True together.
 const MOST_WAYS: usize = 1 << 14;
@@ -53,10 +53,16 @@ impl Trigger {
     #[must_use]
     pub fn of(program: &Program<'_>, transition: &Transition) -> Self {
         let first = program.terms.get(usize::from(transition.term)).copied();
-        let fires = program.condition(transition.fires);
-        let terms = fires.terms.of(program.terms).iter().copied();
+        let mut trigger = Trigger::when(program, &program.condition(transition.fires));
+        trigger.terms.extend(first);
+        trigger
+    }
+
+    /// Of what happens when a condition is True.
+    #[must_use]
+    pub fn when(program: &Program<'_>, condition: &Condition) -> Self {
         let code = |row: u16| program.codes.get(usize::from(row));
-        let rest = match fires.rest {
+        let rest = match condition.rest {
             Rest::None => Formula::Constant(true),
             Rest::Elapsed(timer) => Formula::Is(Thing::Timer(timer)),
             Rest::Running(timer) => Formula::Not(Box::new(Formula::Is(Thing::Timer(timer)))),
@@ -65,7 +71,7 @@ impl Trigger {
             }
         };
         Trigger {
-            terms: first.into_iter().chain(terms).collect(),
+            terms: condition.terms.of(program.terms).to_vec(),
             rest,
         }
     }
@@ -86,16 +92,6 @@ impl Trigger {
             other.terms.iter().any(against)
         };
         self.terms.iter().any(contradict) || !self.meets(other)
-    }
-
-    /// Whether it is False unless one of some bits of the image is True: masks by words.
-    #[must_use]
-    pub fn waits_for(&self, bits: &BTreeMap<u16, u32>) -> bool {
-        let waits = |term: &Term| {
-            let bits = bits.get(&term.word).copied().unwrap_or(0);
-            term.mask & term.state & bits != 0
-        };
-        self.terms.iter().any(waits)
     }
 
     /// The bits that it depends on, each with what it may ask of it.
@@ -119,6 +115,21 @@ impl Trigger {
             _ => None,
         });
         timers.collect()
+    }
+
+    /// Whether it depends on nothing but such bits.
+    #[must_use]
+    pub fn depends_on_none_but(&self, such: impl Fn(u16) -> bool) -> bool {
+        let mut things: BTreeSet<Thing> = self
+            .terms
+            .iter()
+            .flat_map(literals)
+            .map(|it| it.0)
+            .collect();
+        self.rest.things(&mut things);
+        things
+            .iter()
+            .all(|thing| matches!(thing, Thing::Bit(bit) if such(*bit)))
     }
 
     /// Whether it can be True while some bits stand as given and some timers, by their rows, have not run out.

@@ -2,9 +2,9 @@
 
 use std::collections::BTreeMap;
 
-use grafcet_compiler::activity::Activity;
+use grafcet_compiler::activity::{Activity, Trigger};
 use grafcet_core::engine::MAX_ROUNDS;
-use grafcet_core::program::{Bit, Condition, Evolution, Op, Program, Rest, Watch};
+use grafcet_core::program::{Bit, Condition, Evolution, Program, Watch};
 
 use super::settling::Settling;
 
@@ -33,10 +33,10 @@ impl Rounds {
             program,
             graphs,
             steady: Steady::of(program),
-            changes: vec![Changes::Unknown; graphs.len()],
+            known: vec![None; graphs.len()],
         };
         let firings: Option<u64> = (0..graphs.len())
-            .map(|graph| hierarchy.changes(graph).map(|(firings, _)| firings))
+            .map(|graph| hierarchy.moves(graph).firings)
             .try_fold(0, |sum: u64, firings| Some(sum.saturating_add(firings?)));
         let firings = firings.and_then(|firings| u32::try_from(firings).ok());
         match firings.filter(|firings| *firings < MAX_ROUNDS - 2) {
@@ -59,7 +59,7 @@ impl Rounds {
 /// What no round behind the first one changes: inputs, and edges, which are False then.
 pub struct Steady {
     /// Bits of edges, as masks by words of the image.
-    pub edges: BTreeMap<u16, u32>,
+    edges: BTreeMap<u16, u32>,
     inputs: std::ops::Range<usize>,
 }
 
@@ -90,30 +90,16 @@ impl Steady {
         self.inputs.contains(&usize::from(bit / 32))
     }
 
+    /// Whether a bit is an edge.
+    pub fn is_edge(&self, bit: u16) -> bool {
+        let edges = self.edges.get(&(bit / 32));
+        edges.is_some_and(|edges| edges >> (bit % 32) & 1 != 0)
+    }
+
     /// Whether a condition depends on nothing else.
     fn decides(&self, program: &Program<'_>, condition: &Condition) -> bool {
-        let steady = |bits: u32, word: u16| {
-            let edges = self.edges.get(&word).copied().unwrap_or(0);
-            self.is_input(word * 32) || bits & !edges == 0
-        };
-        let mut terms = condition.terms.of(program.terms).iter();
-        let rest = match condition.rest {
-            Rest::None => true,
-            Rest::Elapsed(_) | Rest::Running(_) => false,
-            Rest::Code(row) | Rest::Logic(row) => {
-                let code = program.codes.get(usize::from(row)).copied();
-                let ops = code.and_then(|code| {
-                    let start = code.start as usize;
-                    program.ops.get(start..start + usize::from(code.len))
-                });
-                ops.unwrap_or_default().iter().all(|op| match op {
-                    Op::Bit(Bit(bit)) => steady(1 << (bit % 32), bit / 32),
-                    Op::Constant(_) | Op::Not | Op::And | Op::Or | Op::Xor => true,
-                    _ => false,
-                })
-            }
-        };
-        rest && terms.all(|term| steady(term.mask, term.word))
+        let is_steady = |bit| self.is_input(bit) || self.is_edge(bit);
+        Trigger::when(program, condition).depends_on_none_but(is_steady)
     }
 }
 
@@ -122,58 +108,81 @@ struct Hierarchy<'p> {
     program: &'p Program<'p>,
     graphs: &'p [&'p Activity],
     steady: Steady,
-    changes: Vec<Changes>,
+    known: Vec<Option<Moves>>,
 }
 
+/// What a graph does behind the first round; nothing is known of one that can go round.
 #[derive(Clone, Copy)]
-enum Changes {
-    Unknown,
-    /// They are being worked out: a graph that comes back here is its own superior.
-    Begun,
-    Known(Option<(u64, u64)>),
+struct Moves {
+    /// How often its transitions fire at most.
+    firings: Option<u64>,
+    /// How often its situation changes at most.
+    changes: Option<u64>,
+}
+
+impl Moves {
+    const UNKNOWN: Moves = Moves {
+        firings: None,
+        changes: None,
+    };
 }
 
 impl Hierarchy<'_> {
-    /// Of a graph, behind the first round: how often its transitions fire, and how often its situation changes; none is
-    /// known when it can go round.
-    fn changes(&mut self, graph: usize) -> Option<(u64, u64)> {
-        match self.changes.get(graph)? {
-            Changes::Known(changes) => return *changes,
-            Changes::Begun => return None,
-            Changes::Unknown => {}
+    fn moves(&mut self, graph: usize) -> Moves {
+        if let Some(moves) = self.known.get(graph).copied().flatten() {
+            return moves;
         }
-        *self.changes.get_mut(graph)? = Changes::Begun;
-        let changes = self.worked_out(graph);
-        *self.changes.get_mut(graph)? = Changes::Known(changes);
-        changes
+        // Who comes back here while this is worked out is its own superior.
+        self.note(graph, Moves::UNKNOWN);
+        let moves = self.worked_out(graph).unwrap_or(Moves::UNKNOWN);
+        self.note(graph, moves);
+        moves
     }
 
-    fn worked_out(&mut self, graph: usize) -> Option<(u64, u64)> {
+    fn note(&mut self, graph: usize, moves: Moves) {
+        if let Some(known) = self.known.get_mut(graph) {
+            *known = Some(moves);
+        }
+    }
+
+    fn worked_out(&mut self, graph: usize) -> Option<Moves> {
         let activity = *self.graphs.get(graph)?;
-        let settling = Settling::of(self.program, activity, &self.steady);
-        let settles = settling.firings()?;
-        let superiors = self.superiors(graph)?;
-        if superiors.is_empty() {
-            return Some((settles, settles));
-        }
-        // While no superior changes, it is ordered into one situation, or comes to rest on its own.
-        let mut stretches: u64 = 1;
-        for superior in superiors {
-            stretches = stretches.saturating_add(self.changes(superior)?.1);
-        }
-        let firings = settles.saturating_mul(stretches);
-        Some((firings, firings.saturating_add(stretches)))
+        let settles = Settling::of(self.program, activity, &self.steady).firings()?;
+        let stretches = self.stretches(graph);
+        let firings = match settles {
+            0 => Some(0),
+            _ => stretches.map(|stretches| settles.saturating_mul(stretches)),
+        };
+        let changes = firings.zip(stretches);
+        let changes = changes.map(|(firings, stretches)| firings.saturating_add(stretches));
+        Some(Moves { firings, changes })
     }
 
-    /// The graphs that force or enclose one; none are known when an order depends on more than their situations.
+    /// The stretches of rounds in which no superior of a graph changes: in each it is ordered into one situation, or comes
+    /// to rest on its own.
+    fn stretches(&mut self, graph: usize) -> Option<u64> {
+        let mut stretches: u64 = 1;
+        for superior in self.superiors(graph)? {
+            stretches = stretches.saturating_add(self.moves(superior).changes?);
+        }
+        Some(stretches)
+    }
+
+    /// The graphs on whose situations it depends whether one is forced or enclosed; none are known when it depends on
+    /// more.
     fn superiors(&self, graph: usize) -> Option<Vec<usize>> {
         let mut superiors = Vec::new();
-        let orders = self.program.orders.iter();
-        for order in orders.filter(|order| usize::from(order.graph) == graph) {
+        let orders = self.program.orders.iter().enumerate();
+        for (row, order) in orders.filter(|(_, order)| usize::from(order.graph) == graph) {
             if !self.steady.decides(self.program, &order.condition) {
                 return None;
             }
-            superiors.push(usize::from(order.by));
+            let by = usize::from(order.by);
+            let role = self.program.role(self.program.graphs.get(by)?);
+            let stands_alone = [role.orders, role.self_orders];
+            if !stands_alone.iter().any(|run| run.indices().contains(&row)) {
+                superiors.push(by);
+            }
         }
         let role = self.program.role(self.program.graphs.get(graph)?);
         for enclosing in role.enclosings.of(self.program.enclosings) {

@@ -32,53 +32,43 @@ struct Gate<'a> {
 impl<'a> Settling<'a> {
     /// Of a graph.
     pub fn of(program: &Program<'_>, graph: &'a Activity, steady: &Steady) -> Self {
-        let later: Vec<&Firing> = graph
-            .firings
-            .iter()
-            .filter(|firing| !firing.trigger.waits_for(&steady.edges))
-            .filter(|firing| {
-                firing
-                    .leaves
-                    .iter()
-                    .all(|step| graph.steps.are(*step, *step))
-            })
-            // It changes nothing, where no other can leave the step at once with it.
-            .filter(|firing| graph.most > 1 || firing.leaves != firing.enters)
-            .collect();
-        let told: Vec<u16> = telling(&later, steady);
+        let can_fire = |firing: &&Firing| {
+            let mut leaves = firing.leaves.iter();
+            leaves.all(|step| graph.steps.are(*step, *step))
+                && firing.trigger.can_hold(&edges(firing, steady), &BTreeSet::new())
+                // A step that is left for itself alone changes nothing.
+                && (graph.most > 1 || firing.leaves != firing.enters)
+        };
+        let later: Vec<&Firing> = graph.firings.iter().filter(can_fire).collect();
+        let telling = telling(&later, steady);
         let gates = later.into_iter().map(|firing| {
             let bits = firing.trigger.bits();
-            let inputs = (0..told.len())
-                .filter(|place| told.get(*place).is_some_and(|bit| bits.contains_key(bit)));
-            let inputs: Vec<usize> = inputs.collect();
-            let running = match graph.most > 1 {
-                // A step that is left and entered at once is not timed anew.
-                true => BTreeSet::new(),
-                false => own_timers(program, firing),
-            };
+            let asked = telling.iter().enumerate();
+            let asked: Vec<(usize, u16)> = asked
+                .filter(|(_, bit)| bits.contains_key(bit))
+                .map(|(place, bit)| (place, *bit))
+                .collect();
             let opens = |running: &BTreeSet<u16>| {
-                let stand = |way: usize| -> BTreeMap<u16, bool> {
-                    let bits = inputs.iter().filter_map(|place| told.get(*place));
-                    bits.enumerate()
-                        .map(|(at, bit)| (*bit, way >> at & 1 != 0))
-                        .collect()
-                };
-                let ways = 0..1 << inputs.len();
-                ways.map(|way| firing.trigger.can_hold(&stand(way), running))
-                    .collect()
+                let ways = 0..1_usize << asked.len();
+                let opens = ways.map(|way| {
+                    let mut stand = edges(firing, steady);
+                    let asked = asked.iter().enumerate();
+                    stand.extend(asked.map(|(at, (_, bit))| (*bit, way >> at & 1 != 0)));
+                    firing.trigger.can_hold(&stand, running)
+                });
+                opens.collect()
             };
-            let (opens, opens_at_once) = (opens(&BTreeSet::new()), opens(&running));
             Gate {
+                opens: opens(&BTreeSet::new()),
+                opens_at_once: opens(&own_timers(program, graph, firing)),
+                inputs: asked.iter().map(|(place, _)| *place).collect(),
                 firing,
-                inputs,
-                opens,
-                opens_at_once,
             }
         });
         Settling {
             graph,
             gates: gates.collect(),
-            inputs: told.len(),
+            inputs: telling.len(),
         }
     }
 
@@ -205,14 +195,23 @@ fn telling(firings: &[&Firing], steady: &Steady) -> Vec<u16> {
         .collect()
 }
 
-/// The timers of a trigger that have not run out in the scan in which the only entrance step is entered.
-fn own_timers(program: &Program<'_>, firing: &Firing) -> BTreeSet<u16> {
+/// The edges in a trigger, which are False.
+fn edges(firing: &Firing, steady: &Steady) -> BTreeMap<u16, bool> {
+    let bits = firing.trigger.bits().into_keys();
+    bits.filter(|bit| steady.is_edge(*bit))
+        .map(|bit| (bit, false))
+        .collect()
+}
+
+/// The timers of a trigger that have not run out in the scan in which its entrance step is entered. Where several steps
+/// can be active there may be none: one that is left and entered at once is not timed anew.
+fn own_timers(program: &Program<'_>, graph: &Activity, firing: &Firing) -> BTreeSet<u16> {
     let is_own = |row: &u16| {
         let timer = program.timers.get(usize::from(*row));
         matches!(timer, Some(Timer::Own { preset: Preset::Constant(time), .. }) if *time > 0)
     };
     let timers = firing.trigger.timers().into_iter();
     timers
-        .filter(|row| firing.leaves.len() == 1 && is_own(row))
+        .filter(|row| graph.most <= 1 && is_own(row))
         .collect()
 }
