@@ -39,8 +39,8 @@ pub struct Bound {
     pub rounds: Rounds,
     /// What each round does behind the first one, firings excepted, where it is known how many there are.
     pub quiet: Work,
-    /// The most that one firing does there.
-    pub firing: Work,
+    /// The most that all firings do there.
+    pub firings: Work,
     /// What is done once behind all rounds; nothing unless the program evolves `stable`.
     pub end: Work,
 }
@@ -86,7 +86,7 @@ impl Bound {
         let once = once(rows) + lanes + walks(rows, &graphs, Walks::Scan);
         let repeated = repeated(rows, marked(rows, &graphs)) + walks(rows, &graphs, Walks::Round);
         let mut quiet = Work::NONE;
-        let mut firing = Work::NONE;
+        let mut firings = Work::NONE;
         let (part, always, end) = match program.evolution {
             Evolution::Scan => (Part::Scan, repeated + once, Work::NONE),
             Evolution::Stable => {
@@ -94,7 +94,10 @@ impl Bound {
                 quiet += always.clone();
                 for graph in &graphs {
                     quiet += graph.most(Part::Quiet, cpu).work + graph.sources(Part::Quiet, cpu);
-                    firing = firing.or(graph.later(cpu), cpu);
+                }
+                if let Rounds::Settle { firings: each, .. } = &rounds {
+                    let each = graphs.iter().zip(each);
+                    firings = each.map(|(graph, times)| graph.later(cpu) * *times).sum();
                 }
                 let ends = graphs.iter().map(|graph| graph.most(Part::End, cpu).work);
                 (Part::Round, always, once + ends.sum())
@@ -118,7 +121,7 @@ impl Bound {
             shares,
             rounds,
             quiet,
-            firing,
+            firings,
             end,
         }
     }
@@ -135,13 +138,12 @@ impl Bound {
     pub fn work(&self) -> Work {
         let shares = self.shares.iter().map(|share| share.work.clone());
         let first: Work = shares.sum();
+        let rounds = u64::from(self.rounds.most());
         let rounds = match self.rounds {
-            Rounds::One => first,
-            Rounds::Settle { firings } => {
-                let firings = u64::from(firings);
-                first + self.quiet.clone() * (firings + 1) + self.firing.clone() * firings
+            Rounds::One | Rounds::Limit => first * rounds,
+            Rounds::Settle { .. } => {
+                first + self.quiet.clone() * (rounds - 1) + self.firings.clone()
             }
-            Rounds::Limit => first * u64::from(self.rounds.most()),
         };
         rounds + self.end.clone()
     }

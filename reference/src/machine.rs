@@ -48,6 +48,7 @@ pub struct Machine<'a> {
     pub(crate) watched: BTreeMap<Place<'a>, bool>,
     pub(crate) faults: i32,
     pub(crate) unstable: bool,
+    rounds: u32,
     pub(crate) recovered: bool,
     pub(crate) overruns: i32,
     /// The momentary variables while phase 7 calculates them.
@@ -92,6 +93,7 @@ impl<'a> Machine<'a> {
             watched: BTreeMap::new(),
             faults: 0,
             unstable: false,
+            rounds: 0,
             recovered: false,
             overruns: 0,
             calculation: None,
@@ -127,6 +129,12 @@ impl<'a> Machine<'a> {
     #[must_use]
     pub fn time_ms(&self) -> u64 {
         self.now_ms
+    }
+
+    /// How many rounds the latest scan took; none of a program that does not evolve `stable`, and in scan 0.
+    #[must_use]
+    pub fn rounds(&self) -> u32 {
+        self.rounds
     }
 
     /// The value of a variable.
@@ -220,6 +228,7 @@ impl<'a> Machine<'a> {
     fn settle(&mut self) {
         let mut settled = false;
         for round in 1..=MAX_ROUNDS {
+            self.rounds = round;
             let pass = if round == 1 {
                 Pass::Compare
             } else {

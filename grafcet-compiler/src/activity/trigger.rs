@@ -117,9 +117,13 @@ impl Trigger {
         timers.collect()
     }
 
-    /// Whether it depends on nothing but such bits.
+    /// Whether it depends on nothing but such bits and such timers, by their rows.
     #[must_use]
-    pub fn depends_on_none_but(&self, such: impl Fn(u16) -> bool) -> bool {
+    pub fn depends_on_none_but(
+        &self,
+        such_bits: impl Fn(u16) -> bool,
+        such_timers: impl Fn(u16) -> bool,
+    ) -> bool {
         let mut things: BTreeSet<Thing> = self
             .terms
             .iter()
@@ -127,9 +131,11 @@ impl Trigger {
             .map(|it| it.0)
             .collect();
         self.rest.things(&mut things);
-        things
-            .iter()
-            .all(|thing| matches!(thing, Thing::Bit(bit) if such(*bit)))
+        things.into_iter().all(|thing| match thing {
+            Thing::Bit(bit) => such_bits(bit),
+            Thing::Timer(timer) => such_timers(timer),
+            Thing::Pair(..) | Thing::Value(_) => false,
+        })
     }
 
     /// Whether it can be True while some bits stand as given and some timers, by their rows, have not run out.

@@ -62,7 +62,7 @@ pub fn json(unit: &Unit, clocks: Clocks) -> serde_json::Value {
             "rounds": bound.rounds.most(),
             "a_round": bound.round(),
             "a_later_round": bound.quiet.instructions(cpu),
-            "a_later_firing": bound.firing.instructions(cpu),
+            "later_firings": bound.firings.instructions(cpu),
             "shares": shares.collect::<Vec<_>>(),
             "work": work.collect::<serde_json::Map<_, _>>(),
         });
@@ -136,7 +136,7 @@ fn rows(unit: &Unit, bounds: &[Bound]) -> Vec<(String, Vec<u64>)> {
     };
     if let Rounds::Settle { .. } = first.rounds {
         row("a round behind the first", |bound| &bound.quiet);
-        row("a firing in it", |bound| &bound.firing);
+        row("all firings in those", |bound| &bound.firings);
     }
     if first.rounds != Rounds::One {
         row("behind the last round", |bound| &bound.end);
@@ -145,12 +145,11 @@ fn rows(unit: &Unit, bounds: &[Bound]) -> Vec<(String, Vec<u64>)> {
 }
 
 fn rounds(bound: &Bound) -> String {
-    match bound.rounds {
+    match &bound.rounds {
         Rounds::One => String::new(),
-        Rounds::Settle { firings } => format!(
-            "\nThe program evolves stable: {} rounds at most, since what fires behind the first one leads to steps\n\
-             that are not left in the same scan, in {firings} firings at most. The shares are of the first round.\n",
-            bound.rounds.most()
+        Rounds::Settle { rounds, .. } => format!(
+            "\nThe program evolves stable: {rounds} rounds at most, since what fires behind the first one leads to steps\n\
+             that are not left in the same scan. The shares are of the first round.\n"
         ),
         Rounds::Limit => format!(
             "\nThe program evolves stable, and nothing in its structure ends a scan before the {} rounds after which it\n\

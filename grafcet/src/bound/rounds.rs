@@ -1,5 +1,8 @@
 //! How many rounds a scan of a program that evolves `stable` takes at most.
 
+#[cfg(test)]
+mod tests;
+
 use std::collections::BTreeMap;
 
 use grafcet_compiler::activity::{Activity, Trigger};
@@ -9,23 +12,34 @@ use grafcet_core::program::{Bit, Condition, Evolution, Program, Watch};
 use super::settling::Settling;
 
 /// The rounds of one scan.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Rounds {
     /// It has none: one firing a scan.
     One,
-    /// The first, and behind it one for each of so many firings and one in which nothing fires any more.
+    /// They end by themselves.
     Settle {
-        /// Firings behind the first round at most.
-        firings: u32,
+        /// How many there are at most: the first, those in which something fires behind it, and one in which nothing does.
+        rounds: u32,
+        /// Firings of each graph behind the first at most.
+        firings: Vec<u64>,
     },
     /// Nothing but the engine's limit ends them for certain.
     Limit,
 }
 
 impl Rounds {
+    /// Of a program.
+    #[must_use]
+    pub fn of_program(program: &Program<'_>) -> Self {
+        let graphs = program.graphs.iter().enumerate();
+        let activities = graphs.map(|(index, graph)| Activity::of(program, index, graph));
+        let activities: Vec<Activity> = activities.collect();
+        Rounds::of(program, &activities.iter().collect::<Vec<_>>())
+    }
+
     /// Of a program with these graphs.
     #[must_use]
-    pub fn of(program: &Program<'_>, graphs: &[&Activity]) -> Self {
+    pub(super) fn of(program: &Program<'_>, graphs: &[&Activity]) -> Self {
         if program.evolution == Evolution::Scan {
             return Rounds::One;
         }
@@ -35,22 +49,33 @@ impl Rounds {
             steady: Steady::of(program),
             known: vec![None; graphs.len()],
         };
-        let firings: Option<u64> = (0..graphs.len())
-            .map(|graph| hierarchy.moves(graph).firings)
-            .try_fold(0, |sum: u64, firings| Some(sum.saturating_add(firings?)));
-        let firings = firings.and_then(|firings| u32::try_from(firings).ok());
-        match firings.filter(|firings| *firings < MAX_ROUNDS - 2) {
-            Some(firings) => Rounds::Settle { firings },
-            None => Rounds::Limit,
+        let moves: Vec<Moves> = (0..graphs.len())
+            .map(|graph| hierarchy.moves(graph))
+            .collect();
+        let firings: Option<Vec<u64>> = moves.iter().map(|it| it.firings).collect();
+        // Graphs that go on in every round do so at once, others maybe one behind the other.
+        let of = |at_once| {
+            let moves = moves.iter().filter(move |it| it.at_once == at_once);
+            moves.filter_map(|it| it.firings)
+        };
+        let rounds = of(true).max().unwrap_or(0);
+        let rounds = of(false)
+            .fold(rounds, u64::saturating_add)
+            .saturating_add(2);
+        match (firings, u32::try_from(rounds)) {
+            (Some(firings), Ok(rounds)) if rounds < MAX_ROUNDS => {
+                Rounds::Settle { rounds, firings }
+            }
+            _ => Rounds::Limit,
         }
     }
 
     /// As a number.
     #[must_use]
-    pub fn most(self) -> u32 {
+    pub fn most(&self) -> u32 {
         match self {
             Rounds::One => 1,
-            Rounds::Settle { firings } => firings + 2,
+            Rounds::Settle { rounds, .. } => *rounds,
             Rounds::Limit => MAX_ROUNDS,
         }
     }
@@ -99,7 +124,7 @@ impl Steady {
     /// Whether a condition depends on nothing else.
     fn decides(&self, program: &Program<'_>, condition: &Condition) -> bool {
         let is_steady = |bit| self.is_input(bit) || self.is_edge(bit);
-        Trigger::when(program, condition).depends_on_none_but(is_steady)
+        Trigger::when(program, condition).depends_on_none_but(is_steady, |_| false)
     }
 }
 
@@ -118,12 +143,15 @@ struct Moves {
     firings: Option<u64>,
     /// How often its situation changes at most.
     changes: Option<u64>,
+    /// Whether they fire in rounds that follow each other, from the second one on.
+    at_once: bool,
 }
 
 impl Moves {
     const UNKNOWN: Moves = Moves {
         firings: None,
         changes: None,
+        at_once: false,
     };
 }
 
@@ -147,15 +175,31 @@ impl Hierarchy<'_> {
 
     fn worked_out(&mut self, graph: usize) -> Option<Moves> {
         let activity = *self.graphs.get(graph)?;
-        let settles = Settling::of(self.program, activity, &self.steady).firings()?;
+        let own = self.program.graphs.get(graph)?;
+        let is_free = self.is_free(graph);
+        let settling = Settling::of(self.program, own, activity, &self.steady);
+        let settles = settling.firings(is_free)?;
         let stretches = self.stretches(graph);
         let firings = match settles {
             0 => Some(0),
             _ => stretches.map(|stretches| settles.saturating_mul(stretches)),
         };
-        let changes = firings.zip(stretches);
-        let changes = changes.map(|(firings, stretches)| firings.saturating_add(stretches));
-        Some(Moves { firings, changes })
+        // In each stretch it may be ordered once.
+        let ordered = if is_free { Some(0) } else { stretches };
+        let changes = firings.zip(ordered);
+        Some(Moves {
+            firings,
+            changes: changes.map(|(firings, ordered)| firings.saturating_add(ordered)),
+            at_once: stretches == Some(1) && settling.is_steady(),
+        })
+    }
+
+    /// Whether a graph is neither forced nor enclosed, ever.
+    fn is_free(&self, graph: usize) -> bool {
+        let mut orders = self.program.orders.iter();
+        let own = self.program.graphs.get(graph);
+        !orders.any(|order| usize::from(order.graph) == graph)
+            && own.is_some_and(|own| self.program.role(own).enclosings.len == 0)
     }
 
     /// The stretches of rounds in which no superior of a graph changes: in each it is ordered into one situation, or comes

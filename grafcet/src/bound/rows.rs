@@ -2,8 +2,8 @@
 
 use grafcet_compiler::emit;
 use grafcet_core::program::{
-    Armed, Assignment, Code, Condition, Crossing, Duties, Graph, Momentary, Op, Order, Program,
-    Rest, Run, Step, Stored, Timer, Transition, Watch,
+    Armed, Assignment, Code, Condition, Crossing, Duties, Evolution, Graph, Momentary, Op, Order,
+    Program, Rest, Run, Step, Stored, Timer, Transition, Watch,
 };
 
 use super::work::{Kind, Work};
@@ -266,7 +266,15 @@ impl<'p> Rows<'p> {
     pub fn visit(self, what: Work) -> Work {
         match what == Work::NONE {
             true => what,
-            false => Work::one(either(self.unrolled, Kind::Visit, Kind::VisitLooped)) + what,
+            false => Work::one(self.visited()) + what,
+        }
+    }
+
+    fn visited(self) -> Kind {
+        match (self.unrolled, self.program.evolution) {
+            (false, _) => Kind::VisitLooped,
+            (true, Evolution::Scan) => Kind::Visit,
+            (true, Evolution::Stable) => Kind::VisitInRounds,
         }
     }
 

@@ -3,98 +3,114 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use grafcet_compiler::activity::{Activity, Firing};
-use grafcet_core::program::{Preset, Program, Timer};
+use grafcet_core::program::{Graph, Preset, Program, Timer};
 
 use super::rounds::Steady;
 
 /// Inputs of which all ways are tried in which they can stand.
 const MOST_INPUTS: usize = 12;
 
-/// A graph in rounds behind the first one.
+/// A graph in the rounds of one scan.
 pub struct Settling<'a> {
     graph: &'a Activity,
     gates: Vec<Gate<'a>>,
     /// How many inputs tell one way from another.
     inputs: usize,
+    /// One step of it is active at most, and no other can leave or enter it at once.
+    is_single: bool,
+    /// Behind the first round nothing that its triggers depend on changes but itself.
+    is_steady: bool,
+    /// Nor is any trigger True there that was False in the first round.
+    is_prompt: bool,
 }
 
-/// A transition that can fire in such a round.
+/// A transition that changes something.
 struct Gate<'a> {
     firing: &'a Firing,
     /// Its inputs among those that tell.
     inputs: Vec<usize>,
-    /// For each way in which they can stand, whether it can fire.
-    opens: Vec<bool>,
-    /// The same where its entrance step was entered within the scan.
-    opens_at_once: Vec<bool>,
+    /// For each way in which they can stand, whether it can fire: in the first round,
+    at_first: Vec<bool>,
+    /// behind it,
+    later: Vec<bool>,
+    /// and there behind a step that was entered within the scan.
+    once_entered: Vec<bool>,
 }
 
 impl<'a> Settling<'a> {
     /// Of a graph.
-    pub fn of(program: &Program<'_>, graph: &'a Activity, steady: &Steady) -> Self {
-        let can_fire = |firing: &&Firing| {
+    pub fn of(program: &Program<'_>, own: &Graph, graph: &'a Activity, steady: &Steady) -> Self {
+        let firings = graph.firings.iter();
+        let is_single = graph.most <= 1 && firings.clone().all(|firing| !firing.leaves.is_empty());
+        let can_be_armed = |firing: &&Firing| {
             let mut leaves = firing.leaves.iter();
             leaves.all(|step| graph.steps.are(*step, *step))
-                && firing.trigger.can_hold(&edges(firing, steady), &BTreeSet::new())
-                // A step that is left for itself alone changes nothing.
-                && (graph.most > 1 || firing.leaves != firing.enters)
         };
-        let later: Vec<&Firing> = graph.firings.iter().filter(can_fire).collect();
-        let telling = telling(&later, steady);
-        let gates = later.into_iter().map(|firing| {
-            let bits = firing.trigger.bits();
-            let asked = telling.iter().enumerate();
-            let asked: Vec<(usize, u16)> = asked
-                .filter(|(_, bit)| bits.contains_key(bit))
-                .map(|(place, bit)| (place, *bit))
-                .collect();
-            let opens = |running: &BTreeSet<u16>| {
-                let ways = 0..1_usize << asked.len();
-                let opens = ways.map(|way| {
-                    let mut stand = edges(firing, steady);
-                    let asked = asked.iter().enumerate();
-                    stand.extend(asked.map(|(at, (_, bit))| (*bit, way >> at & 1 != 0)));
-                    firing.trigger.can_hold(&stand, running)
-                });
-                opens.collect()
+        // A step that is left for itself alone changes nothing.
+        let changes = |firing: &&Firing| !is_single || firing.leaves != firing.enters;
+        let firings: Vec<&Firing> = firings.filter(can_be_armed).filter(changes).collect();
+        let telling = telling(&firings, steady);
+        let gates = firings.iter().map(|firing| {
+            let own_timers = match is_single {
+                true => own_timers(program, firing),
+                // A step that is left and entered at once is not timed anew.
+                false => BTreeSet::new(),
             };
-            Gate {
-                opens: opens(&BTreeSet::new()),
-                opens_at_once: opens(&own_timers(program, graph, firing)),
-                inputs: asked.iter().map(|(place, _)| *place).collect(),
-                firing,
-            }
+            Gate::of(firing, &telling, steady, &own_timers)
         });
+        let words = own.words().indices();
+        let is_steady = firings.iter().all(|firing| {
+            let own_timers = own_timers(program, firing);
+            firing.trigger.depends_on_none_but(
+                |bit| {
+                    let is_own = words.contains(&usize::from(bit / 32));
+                    is_own || steady.is_input(bit) || steady.is_edge(bit)
+                },
+                |timer| own_timers.contains(&timer),
+            )
+        });
+        let asks_for_no_edge = |firing: &&Firing| {
+            let bits = firing.trigger.bits();
+            let mut edges = bits.iter().filter(|(bit, _)| steady.is_edge(**bit));
+            edges.any(|(_, asks)| asks.to_be_false)
+        };
         Settling {
             graph,
             gates: gates.collect(),
             inputs: telling.len(),
+            is_single,
+            is_steady,
+            is_prompt: is_steady && !firings.iter().any(asks_for_no_edge),
         }
     }
 
-    /// The most firings, however the inputs stand; none is known when the graph can go round.
-    pub fn firings(&self) -> Option<u64> {
-        if self.gates.iter().any(|gate| gate.firing.leaves.is_empty()) {
+    /// Whether it fires in rounds that follow each other, from the second one on, until it rests.
+    pub fn is_steady(&self) -> bool {
+        self.is_steady
+    }
+
+    /// The most firings, however the inputs stand, of a graph that is free from the first round on or may be freed behind
+    /// it; none is known when it can go round.
+    pub fn firings(&self, is_free: bool) -> Option<u64> {
+        let is_source = |gate: &&Gate<'_>| gate.firing.leaves.is_empty();
+        let mut sources = self.gates.iter().filter(is_source);
+        if sources.any(|gate| gate.later.contains(&true)) {
             return None;
         }
-        let mut most = 0;
+        let mut heights = vec![0; self.graph.steps.size()];
         for way in 0..1 << self.inputs {
-            most = most.max(self.firings_in(way)?);
-        }
-        Some(most)
-    }
-
-    fn firings_in(&self, way: usize) -> Option<u64> {
-        let entered = self.heights(way)?;
-        let mut heights = vec![0; entered.len()];
-        for gate in self
-            .gates
-            .iter()
-            .filter(|gate| gate.is_open(way, &gate.opens))
-        {
-            let first = gate.firing.leaves.first();
-            if let Some(height) = first.and_then(|step| heights.get_mut(*step)) {
-                *height = self.with(*height, gate.leads_to(&entered));
+            let entered = self.entered(way)?;
+            for (step, height) in heights.iter_mut().enumerate() {
+                let leaving = self.gates.iter();
+                let leaving = leaving.filter(|gate| gate.firing.leaves.first() == Some(&step));
+                let reached = match is_free && self.is_prompt && self.is_single {
+                    // It has fired in the first round, or does not in this scan.
+                    true => self
+                        .height(leaving.filter(|it| it.is(&it.at_first, way)), &entered)
+                        .saturating_sub(1),
+                    false => self.height(leaving.filter(|it| it.is(&it.later, way)), &entered),
+                };
+                *height = (*height).max(reached);
             }
         }
         let most = self.graph.steps.heaviest(&heights, self.graph.most);
@@ -102,31 +118,27 @@ impl<'a> Settling<'a> {
     }
 
     /// For each step that is entered, how many firings that can lead to.
-    fn heights(&self, way: usize) -> Option<Vec<u64>> {
+    fn entered(&self, way: usize) -> Option<Vec<u64>> {
         let size = self.graph.steps.size();
-        let mut behind: Vec<Vec<&Gate<'_>>> = vec![Vec::new(); size];
+        let mut leaving: Vec<Vec<&Gate<'_>>> = vec![Vec::new(); size];
         let mut ways_in = vec![0_usize; size];
-        for gate in self
+        let open = self
             .gates
             .iter()
-            .filter(|gate| gate.is_open(way, &gate.opens_at_once))
-        {
-            behind.get_mut(*gate.firing.leaves.first()?)?.push(gate);
+            .filter(|gate| gate.is(&gate.once_entered, way));
+        for gate in open {
+            leaving.get_mut(*gate.firing.leaves.first()?)?.push(gate);
             for step in &gate.firing.enters {
                 *ways_in.get_mut(*step)? += 1;
             }
         }
-        let mut order: Vec<usize> = (0..size)
-            .filter(|step| ways_in.get(*step) == Some(&0))
-            .collect();
+        let first = (0..size).filter(|step| ways_in.get(*step) == Some(&0));
+        let mut order: Vec<usize> = first.collect();
         let mut place = 0;
         while let Some(&step) = order.get(place) {
             place += 1;
-            for next in behind
-                .get(step)?
-                .iter()
-                .flat_map(|gate| &gate.firing.enters)
-            {
+            let entered = leaving.get(step)?.iter();
+            for next in entered.flat_map(|gate| &gate.firing.enters) {
                 let left = ways_in.get_mut(*next)?;
                 *left -= 1;
                 if *left == 0 {
@@ -140,37 +152,67 @@ impl<'a> Settling<'a> {
         }
         let mut heights = vec![0; size];
         for step in order.iter().rev() {
-            let height = behind
-                .get(*step)?
-                .iter()
-                .fold(0, |height, gate| self.with(height, gate.leads_to(&heights)));
+            let height = self.height(leaving.get(*step)?.iter().copied(), &heights);
             *heights.get_mut(*step)? = height;
         }
         Some(heights)
     }
 
-    /// The height of a step that one more transition leaves.
-    fn with(&self, height: u64, firings: u64) -> u64 {
-        match self.graph.most > 1 {
+    /// How many firings a step can lead to that these transitions leave.
+    fn height<'g>(&self, leaving: impl Iterator<Item = &'g Gate<'g>>, entered: &[u64]) -> u64 {
+        let heights = leaving.map(|gate| gate.leads_to(entered));
+        match self.is_single {
+            true => heights.max().unwrap_or(0),
             // Several can leave it at once.
-            true => height.saturating_add(firings),
-            false => height.max(firings),
+            false => heights.fold(0, u64::saturating_add),
         }
     }
 }
 
-impl Gate<'_> {
+impl<'a> Gate<'a> {
+    fn of(
+        firing: &'a Firing,
+        telling: &[u16],
+        steady: &Steady,
+        own_timers: &BTreeSet<u16>,
+    ) -> Self {
+        let bits = firing.trigger.bits();
+        let asked = telling.iter().enumerate();
+        let asked = asked.filter(|(_, bit)| bits.contains_key(bit));
+        let (inputs, asked): (Vec<usize>, Vec<u16>) = asked.unzip();
+        let edges = bits.keys().filter(|bit| steady.is_edge(**bit));
+        let edges: BTreeMap<u16, bool> = edges.map(|bit| (*bit, false)).collect();
+        let opens = |edges: &BTreeMap<u16, bool>, running: &BTreeSet<u16>| {
+            let ways = 0..1_usize << asked.len();
+            let opens = ways.map(|way| {
+                let mut stand = edges.clone();
+                let asked = asked.iter().enumerate();
+                stand.extend(asked.map(|(at, bit)| (*bit, way >> at & 1 != 0)));
+                firing.trigger.can_hold(&stand, running)
+            });
+            opens.collect()
+        };
+        Gate {
+            at_first: opens(&BTreeMap::new(), &BTreeSet::new()),
+            later: opens(&edges, &BTreeSet::new()),
+            once_entered: opens(&edges, own_timers),
+            inputs,
+            firing,
+        }
+    }
+
+    /// Whether it is open in a way in which all inputs that tell can stand.
+    fn is(&self, open: &[bool], way: usize) -> bool {
+        let own = self.inputs.iter().enumerate();
+        let own = own.fold(0, |own, (at, place)| own | (way >> place & 1) << at);
+        open.get(own).copied().unwrap_or(true)
+    }
+
     /// Its firing, and those that what it enters can lead to.
     fn leads_to(&self, heights: &[u64]) -> u64 {
         let entered = self.firing.enters.iter();
         let entered = entered.filter_map(|step| heights.get(*step));
         entered.fold(1, |sum, height| sum.saturating_add(*height))
-    }
-
-    fn is_open(&self, way: usize, opens: &[bool]) -> bool {
-        let own = self.inputs.iter().enumerate();
-        let own = own.fold(0, |own, (at, place)| own | (way >> place & 1) << at);
-        opens.get(own).copied().unwrap_or(true)
     }
 }
 
@@ -183,11 +225,11 @@ fn telling(firings: &[&Firing], steady: &Steady) -> Vec<u16> {
         *to_be_false |= asks.to_be_false;
         *times += 1;
     }
-    let tells = |(bit, (to_be_true, to_be_false, _)): &(u16, (bool, bool, usize))| {
+    asked.retain(|bit, (to_be_true, to_be_false, _)| {
         steady.is_input(*bit) && *to_be_true && *to_be_false
-    };
-    let mut telling: Vec<(u16, (bool, bool, usize))> = asked.into_iter().filter(tells).collect();
-    telling.sort_by_key(|(_, (_, _, times))| std::cmp::Reverse(*times));
+    });
+    let mut telling: Vec<(u16, usize)> = asked.into_iter().map(|(bit, it)| (bit, it.2)).collect();
+    telling.sort_by_key(|(_, times)| std::cmp::Reverse(*times));
     telling
         .into_iter()
         .map(|(bit, _)| bit)
@@ -195,23 +237,14 @@ fn telling(firings: &[&Firing], steady: &Steady) -> Vec<u16> {
         .collect()
 }
 
-/// The edges in a trigger, which are False.
-fn edges(firing: &Firing, steady: &Steady) -> BTreeMap<u16, bool> {
-    let bits = firing.trigger.bits().into_keys();
-    bits.filter(|bit| steady.is_edge(*bit))
-        .map(|bit| (bit, false))
-        .collect()
-}
-
-/// The timers of a trigger that have not run out in the scan in which its entrance step is entered. Where several steps
-/// can be active there may be none: one that is left and entered at once is not timed anew.
-fn own_timers(program: &Program<'_>, graph: &Activity, firing: &Firing) -> BTreeSet<u16> {
+/// The timers of a trigger on its only entrance step: in the scan in which that is entered they do not run out.
+fn own_timers(program: &Program<'_>, firing: &Firing) -> BTreeSet<u16> {
     let is_own = |row: &u16| {
         let timer = program.timers.get(usize::from(*row));
         matches!(timer, Some(Timer::Own { preset: Preset::Constant(time), .. }) if *time > 0)
     };
     let timers = firing.trigger.timers().into_iter();
     timers
-        .filter(|row| graph.most <= 1 && is_own(row))
+        .filter(|row| firing.leaves.len() == 1 && is_own(row))
         .collect()
 }

@@ -1,4 +1,4 @@
-//! What can be active together, how many rounds there are, and that a bound is made of both.
+//! What can be active together, and that a bound is made of it.
 
 #![allow(clippy::unwrap_used, reason = "a test whose scene cannot be set fails")]
 
@@ -12,7 +12,7 @@ use super::rounds::Rounds;
 use super::work::{Cpu, Kind};
 use super::{Bound, Sharer};
 
-fn unit(text: &str) -> Unit {
+pub fn unit(text: &str) -> Unit {
     let load = |_: &str| Err(io::ErrorKind::NotFound.into());
     let compiled = compile("bound.grafcet", text, &load, Target::Host);
     let errors = compiled.diagnostics;
@@ -156,36 +156,13 @@ fn a_step_that_nothing_leads_to_is_never_active() {
     assert!(steps.are(0, 0) && !steps.are(1, 1));
 }
 
-fn rounds(graph: &str) -> Rounds {
-    let unit = unit(&format!("evolution stable\n{INPUTS}\n{graph}"));
-    let activities = activities(&unit);
-    let activities: Vec<&Activity> = activities.iter().collect();
-    Rounds::of(&unit.tables.program(), &activities)
-}
-
-#[test]
-fn rounds_end_where_every_way_round_waits_for_an_edge() {
-    let ring = |last: &str| {
-        format!(
-            "graph G {{
-                initial step 1; step 2 {{ Q }}; step 3
-                transition 1: 1 -> 2 when a; transition 2: 2 -> 3 when b; transition 3: 3 -> 1 when {last}
-            }}"
-        )
-    };
-    // From 1 it gets to 3 in two firings behind the first, and one round more finds that nothing fires.
-    assert_eq!(rounds(&ring("↑c")), Rounds::Settle { firings: 2 });
-    assert_eq!(rounds(&ring("c")), Rounds::Limit);
-    assert_eq!(Rounds::Limit.most(), 100);
-}
-
 #[test]
 fn a_program_that_evolves_once_a_scan_has_no_rounds() {
     let graph = "graph G { initial step 1 { Q }; transition 1: 1 -> 1 when a }";
     let bound = Bound::of(&unit(&format!("{INPUTS}{graph}")), Cpu::M4);
     assert_eq!(
-        (bound.rounds, bound.round()),
-        (Rounds::One, bound.instructions())
+        (&bound.rounds, bound.round()),
+        (&Rounds::One, bound.instructions())
     );
 }
 

@@ -78,6 +78,8 @@ kinds! {
     Sleepers 20 43 51
     /// A step that is active, or was, is visited on one of the walks.
     Visit 23 3 3
+    /// The same in a program that evolves `stable`.
+    VisitInRounds 120 100 80
     /// A transition is looked at.
     Arm 23 10 21
     ArmLooped 1092 1183 545

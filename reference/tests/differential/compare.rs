@@ -3,6 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::twins::{Tables, Twins};
+use grafcet::bound::Rounds;
 use grafcet::trace::Columns;
 use grafcet_compiler::application::{Application, Unit};
 use grafcet_compiler::diagnostic::Level;
@@ -131,7 +132,11 @@ impl<'a> Comparison<'a> {
         let mut engine = Twins::new(&tables);
         let mut machine = Machine::new(self.reference);
         let mut inputs: BTreeMap<&String, i32> = self.inputs.keys().map(|name| (name, 0)).collect();
-        let mut seen = Seen::default();
+        let rounds = Rounds::of_program(&program);
+        let mut seen = Seen {
+            settles: usize::from(matches!(rounds, Rounds::Settle { .. })),
+            ..Seen::default()
+        };
         let mut next_ms = 0;
         for (number, scan) in stimulus.iter().enumerate() {
             if let Some(cycle) = &scan.power_cycle {
@@ -175,6 +180,14 @@ impl<'a> Comparison<'a> {
                 machine.scan(time_ms);
                 next_ms = time_ms + self.reference.period_ms;
             }
+            if machine.rounds() > rounds.most() {
+                return Err(Failure::Rounds {
+                    scan: number,
+                    took: machine.rounds(),
+                    bound: rounds.most(),
+                });
+            }
+            seen.longest |= machine.rounds() == rounds.most();
             seen.look(engine.first());
             rows.push(machine.row());
             self.same_rows(number, engine.first(), &machine)?;
@@ -231,6 +244,8 @@ struct Seen {
     forced: usize,
     unstable: usize,
     idle: usize,
+    settles: usize,
+    longest: bool,
 }
 
 impl Seen {
@@ -255,6 +270,8 @@ impl Seen {
             forced: self.forced,
             unstable: self.unstable,
             idle: self.idle,
+            settles: self.settles,
+            longest: usize::from(self.longest) * self.settles,
             with_faults: usize::from(engine.number(Number::ARITHMETIC_FAULTS) > 0),
         }
     }

@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use crate::compare::{Trees, compare};
-
+use crate::outcome::Tally;
 use crate::random::Random;
 use crate::render::Text;
 use crate::stimulus::stimulus;
@@ -13,19 +13,19 @@ const STEPS: usize = 70;
 
 #[test]
 fn steps_of_a_long_sequence_are_read_by_others_of_it_as_they_were_before_the_scan() {
-    let fired = fired(20, 300, program);
+    let fired = tally(20, 300, program).fired;
     assert!(fired > 500, "{fired} transitions fire");
 }
 
 #[test]
 fn many_sequences_wait_and_go_on_and_show_what_they_do() {
-    let fired = fired(60, 200, sequences);
+    let fired = tally(60, 200, sequences).fired;
     assert!(fired > 5000, "{fired} transitions fire");
 }
 
-/// How many transitions fire in so many programs, which the engines and the reference must run alike for so many scans.
-fn fired(programs: u64, scans: usize, program: impl Fn(&mut Random) -> String) -> usize {
-    let mut fired = 0;
+/// What is seen of so many programs, which the engines and the reference must run alike for so many scans.
+pub fn tally(programs: u64, scans: usize, program: impl Fn(&mut Random) -> String) -> Tally {
+    let mut tally = Tally::default();
     for seed in 0..programs {
         let mut random = Random::new(seed);
         let text = Text {
@@ -34,11 +34,11 @@ fn fired(programs: u64, scans: usize, program: impl Fn(&mut Random) -> String) -
         };
         let stimulus = stimulus(&mut random, &Trees::of(&text).program(), scans);
         match compare(&text, &stimulus) {
-            Ok(tally) => fired += tally.fired,
+            Ok(seen) => tally.add(seen),
             Err(failure) => panic!("seed {seed}: {failure}\n{}", text.main),
         }
     }
-    fired
+    tally
 }
 
 /// Up to sixty graphs, most of them sequences, some asleep. Nothing asks which transitions have fired; some programs read

@@ -13,6 +13,7 @@ mod outcome;
 mod program;
 mod random;
 mod render;
+mod rounds;
 mod shrink;
 mod stimulus;
 mod tool;
@@ -122,7 +123,9 @@ fn report(seed: u64) -> String {
         Err(Failure::Refused(why)) => return format!("SEED={seed}: {}", Failure::Refused(why)),
         Err(failure) => failure,
     };
-    if let Failure::Row { scan, .. } | Failure::Walks { scan } = failure {
+    if let Failure::Row { scan, .. } | Failure::Walks { scan } | Failure::Rounds { scan, .. } =
+        failure
+    {
         case.stimulus.truncate(scan + 1);
     }
     let small = shrunk(case, |case| {

@@ -19,6 +19,8 @@ pub enum Failure {
     },
     /// The engine leaves something else when it keeps sets of words, for the first time in this scan.
     Walks { scan: usize },
+    /// A scan has taken more rounds than the program is said to take at most.
+    Rounds { scan: usize, took: u32, bound: u32 },
     /// One of both takes a stored value that the other refuses.
     Restored(String),
     /// The tool's trace differs.
@@ -51,6 +53,12 @@ impl fmt::Display for Failure {
             Failure::Walks { scan } => {
                 write!(f, "scan {scan} differs with and without sets of words")
             }
+            Failure::Rounds { scan, took, bound } => {
+                write!(
+                    f,
+                    "scan {scan} takes {took} rounds, {bound} are stated as the most"
+                )
+            }
             Failure::Restored(name) => {
                 write!(f, "the stored value of `{name}` is taken by one only")
             }
@@ -77,6 +85,10 @@ pub struct Tally {
     pub unstable: usize,
     /// Scans in which the engine knew that nothing was new.
     pub idle: usize,
+    /// Programs of which it is known how soon their rounds end.
+    pub settles: usize,
+    /// Those of them in which a scan took as many rounds as are stated as the most.
+    pub longest: usize,
     /// Programs in which a calculation went wrong.
     pub with_faults: usize,
 }
@@ -92,6 +104,8 @@ impl Tally {
         self.forced += other.forced;
         self.unstable += other.unstable;
         self.idle += other.idle;
+        self.settles += other.settles;
+        self.longest += other.longest;
         self.with_faults += other.with_faults;
     }
 }
