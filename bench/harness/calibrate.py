@@ -18,8 +18,10 @@ WORK = Path(__file__).resolve().parents[2] / "grafcet" / "src" / "bound" / "work
 MARGIN = 1.2
 # From this on a bound is thought to be long, and weighs the more.
 LONG, WEIGHT = 1.7, 3
+# From this on it is long by its structure, whatever the costs, and weighs nothing.
+HOPELESS = 2.3
 # What it weighs when a cost moves by as much as it is.
-INERTIA = 0.3
+INERTIA = 0.1
 
 
 def main():
@@ -51,6 +53,7 @@ def fit(work, longest, now):
     bound is long."""
     now = numpy.array(now)
     times = work / longest[:, None]
+    weighs = (times @ now <= HOPELESS).astype(float)
     programs, kinds = times.shape
     none, one = numpy.zeros, numpy.eye
     relative = numpy.diag(1 / now)
@@ -60,7 +63,7 @@ def fit(work, longest, now):
         (numpy.hstack([-relative, -one(kinds), none((kinds, programs))]), -numpy.ones(kinds)),
         (numpy.hstack([times, none((programs, kinds)), -one(programs)]), numpy.full(programs, LONG)),
     ]
-    weights = numpy.concatenate([times.sum(axis=0), numpy.full(kinds, INERTIA), numpy.full(programs, WEIGHT)])
+    weights = numpy.concatenate([weighs @ times, numpy.full(kinds, INERTIA), WEIGHT * weighs])
     found = linprog(
         weights,
         A_ub=numpy.vstack([matrix for matrix, _ in limits]),

@@ -14,7 +14,8 @@ use super::{CommandError, Verdict, accepted};
 The figures are an upper bound of the instructions that any scan behind scan 0 executes, whatever
 the inputs do, computed from the program's compiled tables: what every scan does, and for each
 graph the steps that take the most of those that can be active together. Microseconds are two
-cycles an instruction at the clock.
+cycles an instruction at the clock. Of a program that evolves `stable` the bound says how many rounds
+there are, and is of all of them.
 
 \"flashed\" is code that is compiled as in the image for the Pico; the other rows are compiled as by
 script/bench-image. The bound was calibrated by counting, with code and tables in
