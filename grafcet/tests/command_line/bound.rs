@@ -100,8 +100,8 @@ fn the_rounds_of_a_program_that_evolves_stable_are_named() {
     }
     let settles = bound(&desk.grafcet(&["bound", "--format", "json", "settles.grafcet"]));
     let of = |name: &str| settles["m4"][name].as_u64().unwrap();
-    assert!(of("a_later_round") < of("a_round"), "{settles}");
-    assert!(of("instructions") < 4 * of("a_round"), "{settles}");
+    assert!(of("a_later_round") <= of("a_round"), "{settles}");
+    assert!(of("instructions") < 9 * of("a_round"), "{settles}");
     let said = desk.grafcet(&["bound", "races.grafcet"]);
     assert!(said.out.contains("before the 100 rounds"), "{said:?}");
     let races = bound(&desk.grafcet(&["bound", "--format", "json", "races.grafcet"]));
