@@ -347,7 +347,7 @@ impl<P: Compiled, M: Memory> Showing<'_, P, M> {
             if situation.get() & block.momentary == 0 {
                 continue;
             }
-            let shows = match program.arms.get(armed.row()) {
+            let shows = match armed.arm(program.arms) {
                 Some(arm) if arm.shows != Arm::SHOWS_MORE => arm.shows,
                 _ => {
                     unknown = Some(end - 1 - words.len());

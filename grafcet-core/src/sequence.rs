@@ -235,8 +235,7 @@ enum Closer<'a> {
 /// Looks at the terms of the transition that is armed.
 #[inline(always)]
 fn look_closer<'a>(program: &Program<'a>, image: &[Cell<u32>], armed: Armed) -> Closer<'a> {
-    let arm = program.arms.get(armed.row());
-    let Some(arm) = arm else {
+    let Some(arm) = armed.arm(program.arms) else {
         return Closer::Unknown;
     };
     let transition = program.transitions.get(usize::from(arm.transition));
@@ -297,10 +296,10 @@ impl<P: Compiled, M: Memory> Marking<'_, P, M> {
         let (Some(near), Some(armed)) = (image.first_chunk(), armed.get(place)) else {
             return false;
         };
-        let (may_fire, row) = (armed.may_fire(near), armed.row());
+        let (may_fire, armed) = (armed.may_fire(near), *armed);
         let now = self.engine.situation_word(place);
         if may_fire {
-            let Some(arm) = tables.program().arms.get(row) else {
+            let Some(arm) = armed.arm(tables.program().arms) else {
                 return false;
             };
             if self.engine.fires_apart(arm.transition) {
