@@ -5,8 +5,8 @@ use core::cell::Cell;
 use crate::engine::Engine;
 use crate::memory::{Following, Memory};
 use crate::program::{
-    Arm, Assignment, Block, Compiled, Dependent, Masks, Momentary, Run, Step, Stored, Target,
-    VisitSteps,
+    Arm, Assignment, Block, Compiled, Dependent, Masks, Momentary, Program, Run, Step, Stored,
+    Target, VisitSteps,
 };
 use crate::sets::{GROUP, Set};
 use crate::walk::{Groups, Visit, each};
@@ -106,17 +106,13 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
         let program = tables.program();
         let words = program.layout.momentary;
         // Mostly there is but one word: it is made beside the image and written once.
-        let only = match words.len {
-            1 => Some(words.start),
-            _ => None,
-        };
+        let only = only(program);
         let before = self.memory.word(usize::from(words.start));
         if only.is_none() {
             self.memory.begin_showing(words);
         }
         let mut showing = Showing {
             engine: self,
-            only,
             shown: 0,
         };
         if let Some(rows) = program.always_momentary.some(program.momentary) {
@@ -314,8 +310,7 @@ impl<P: Compiled, M: Memory> VisitSteps for Varying<'_, P, M> {
 /// Raises what momentary statements show.
 struct Showing<'e, P, M> {
     engine: &'e mut Engine<P, M>,
-    /// The word of momentary variables, if there is but one.
-    only: Option<u16>,
+    /// What the word of momentary variables becomes, if there is but one.
     shown: u32,
 }
 
@@ -329,32 +324,56 @@ impl<P: Compiled, M: Memory> Showing<'_, P, M> {
         let tables = self.engine.tables;
         let program = tables.program();
         let start = usize::from(program.layout.situations.start);
+        let only = only(program);
+        let mut shown = self.shown;
         let Following { image, armed, .. } = self.engine.memory.store.following();
         let image = Cell::from_mut(image).as_slice_of_cells();
-        let end = program.blocks.len().min(first + GROUP);
-        let blocks = program.blocks.get(first..end).unwrap_or(&[]);
-        let situations = image.get(start + first..start + end).unwrap_or(&[]);
-        for (place, (block, situation)) in (first..).zip(blocks.iter().zip(situations)) {
+        let situations = image.get(start..start + armed.len()).unwrap_or(&[]);
+        let (armed, _) = armed.as_chunks::<GROUP>();
+        let (situations, _) = situations.as_chunks::<GROUP>();
+        let group = first / GROUP;
+        let (Some(armed), Some(situations), Some(blocks)) = (
+            armed.get(group),
+            situations.get(group),
+            program.blocks.get(first..),
+        ) else {
+            return Some(first);
+        };
+        let blocks = blocks.get(..GROUP).unwrap_or(blocks);
+        let end = first + blocks.len();
+        let mut words = blocks.iter().zip(situations.iter().zip(armed));
+        let mut unknown = None;
+        while let Some((block, (situation, armed))) = words.next() {
             if situation.get() & block.momentary == 0 {
                 continue;
             }
-            let arm = armed.get(place).map(|armed| armed.row());
-            let shows = match arm.and_then(|row| program.arms.get(row)) {
+            let shows = match armed.arm(program.arms) {
                 Some(arm) if arm.shows != Arm::SHOWS_MORE => arm.shows,
-                _ => return Some(place),
+                _ => {
+                    unknown = Some(end - 1 - words.len());
+                    break;
+                }
             };
             let target = program.targets.get(usize::from(shows).wrapping_sub(1));
             let Some(target) = target else {
                 continue;
             };
-            if self.only == Some(target.word) {
-                self.shown |= target.mask;
+            if only == Some(target.word) {
+                shown |= target.mask;
             } else if let Some(word) = image.get(usize::from(target.word)) {
                 word.set(word.get() | target.mask);
             }
         }
-        None
+        self.shown = shown;
+        unknown
     }
+}
+
+/// The word of momentary variables, if there is but one.
+#[inline(always)]
+fn only(program: &Program<'_>) -> Option<u16> {
+    let words = program.layout.momentary;
+    (words.len == 1).then_some(words.start)
 }
 
 impl<P: Compiled, M: Memory> VisitSteps for Showing<'_, P, M> {
@@ -415,7 +434,8 @@ impl<P: Compiled, M: Memory> Visit<Momentary> for Showing<'_, P, M> {
 impl<P: Compiled, M: Memory> Visit<Target> for Showing<'_, P, M> {
     #[inline(always)]
     fn row(&mut self, target: &Target) {
-        if self.only == Some(target.word) {
+        let tables = self.engine.tables;
+        if only(tables.program()) == Some(target.word) {
             self.shown |= target.mask;
         } else {
             self.engine.memory.raise(*target);

@@ -135,7 +135,7 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
                 Side::Exit => *next | bit,
             };
             self.memory.put_armed(place, Armed::UNKNOWN);
-            self.memory.insert(Set::Lively, place);
+            self.memory.enliven(place);
         }
     }
 
@@ -353,7 +353,7 @@ impl<P: Compiled, M: Memory> Marking<'_, P, M> {
         if let Some(word) = memory.store.before_mut().get_mut(place) {
             *word |= self.enters;
             memory.put_armed(place, Armed::UNKNOWN);
-            memory.insert(Set::Lively, place);
+            memory.enliven(place);
         }
     }
 }

@@ -4,7 +4,6 @@ use crate::bits::set_bits_of;
 use crate::engine::Engine;
 use crate::memory::{Memory, Standing};
 use crate::program::{Armed, Bit, Compiled, Enclosing, Forced, Graph, Order, Program, Role, Run};
-use crate::sets::Set;
 use crate::walk::{Visit, each};
 use crate::watch::Pass;
 
@@ -199,7 +198,7 @@ impl<P: Compiled, M: Memory> Engine<P, M> {
         let first = usize::from(tables.program().layout.situations.start);
         let place = word.saturating_sub(first);
         if value != 0 {
-            self.memory.insert(Set::Lively, place);
+            self.memory.enliven(place);
         }
         if self.memory.put_word(word, value) {
             self.memory.put_armed(place, Armed::UNKNOWN);

@@ -6,7 +6,7 @@ use core::cell::Cell;
 use crate::engine::Engine;
 use crate::evolution::Marking;
 use crate::memory::{Following, Memory};
-use crate::program::{Arm, Armed, Block, Compiled, Program, Taken};
+use crate::program::{Arm, Armed, Block, Compiled, Condition, Program, Rest, Taken, Term};
 use crate::sets::{GROUP, mark};
 use crate::walk::Groups;
 
@@ -183,7 +183,7 @@ fn arms<'a>(program: &Program<'a>) -> &'a [Arm] {
     }
 }
 
-/// Looks at the words of a group from one on, if their first terms will do. Gives the first of which that is not so, and
+/// Looks at the words of a group from one on, if their terms will do. Gives the first of which that is not so, and
 /// what has fired.
 ///
 /// Kept apart, since mostly one Boolean will do, which is looked at with all registers.
@@ -222,21 +222,20 @@ fn look_on<P: Compiled>(
     (None, looking.taken)
 }
 
-/// What a look at the first term of a transition says, which is known to be armed.
+/// What a look at the terms of a transition says, which is known to be armed.
 enum Closer<'a> {
     /// It does not fire.
     Stays,
     /// It does.
     Fires(&'a Arm),
-    /// The term does not say it.
+    /// The terms do not say it.
     Unknown,
 }
 
-/// Looks at the first term of the transition that is armed.
+/// Looks at the terms of the transition that is armed.
 #[inline(always)]
 fn look_closer<'a>(program: &Program<'a>, image: &[Cell<u32>], armed: Armed) -> Closer<'a> {
-    let arm = program.arms.get(armed.row());
-    let Some(arm) = arm else {
+    let Some(arm) = armed.arm(program.arms) else {
         return Closer::Unknown;
     };
     let transition = program.transitions.get(usize::from(arm.transition));
@@ -244,14 +243,39 @@ fn look_closer<'a>(program: &Program<'a>, image: &[Cell<u32>], armed: Armed) -> 
     let (Some(transition), Some(term)) = (transition, term) else {
         return Closer::Unknown;
     };
-    let word = image.get(usize::from(term.word)).map_or(0, Cell::get);
-    if word & term.mask != term.state {
-        Closer::Stays
-    } else if transition.fires == 0 {
-        Closer::Fires(arm)
-    } else {
-        Closer::Unknown
+    if !stands(term, image) {
+        return Closer::Stays;
     }
+    match transition.fires {
+        0 => Closer::Fires(arm),
+        row => look_further(program, image, row, arm),
+    }
+}
+
+/// The same, behind the first term.
+#[inline(never)]
+fn look_further<'a>(
+    program: &Program<'a>,
+    image: &[Cell<u32>],
+    row: u16,
+    arm: &'a Arm,
+) -> Closer<'a> {
+    let Condition { terms, rest } = program.condition(row);
+    let mut terms = terms.of(program.terms).iter();
+    if !terms.all(|term| stands(term, image)) {
+        return Closer::Stays;
+    }
+    match rest {
+        Rest::None => Closer::Fires(arm),
+        _ => Closer::Unknown,
+    }
+}
+
+/// Whether a term holds.
+#[inline(always)]
+fn stands(term: &Term, image: &[Cell<u32>]) -> bool {
+    let word = image.get(usize::from(term.word));
+    word.is_some_and(|word| word.get() & term.mask == term.state)
 }
 
 impl<P: Compiled, M: Memory> Marking<'_, P, M> {
@@ -272,10 +296,10 @@ impl<P: Compiled, M: Memory> Marking<'_, P, M> {
         let (Some(near), Some(armed)) = (image.first_chunk(), armed.get(place)) else {
             return false;
         };
-        let (may_fire, row) = (armed.may_fire(near), armed.row());
+        let (may_fire, armed) = (armed.may_fire(near), *armed);
         let now = self.engine.situation_word(place);
         if may_fire {
-            let Some(arm) = tables.program().arms.get(row) else {
+            let Some(arm) = armed.arm(tables.program().arms) else {
                 return false;
             };
             if self.engine.fires_apart(arm.transition) {

@@ -42,16 +42,11 @@ impl<M: Memory> Bank<M> {
         self.store.sets().get(row).copied().unwrap_or(0)
     }
 
-    /// Puts the group of a word into a set.
+    /// Notes that a step is active in a word of situations, or was before this scan (round).
     #[inline(always)]
-    pub(crate) fn insert(&mut self, set: Set, place: usize) {
-        if self.has_sets() {
-            let group = place / GROUP;
-            let row = self.first(set) + group / 32;
-            if let Some(row) = self.store.sets_mut().get_mut(row) {
-                *row |= 1 << (group % 32);
-            }
-        }
+    pub(crate) fn enliven(&mut self, place: usize) {
+        let first = self.first(Set::Lively);
+        insert(self.store.sets_mut(), first, place);
     }
 
     /// Takes a group of words of situations out of the set, if nothing is active in any of them, nor was.
@@ -99,9 +94,17 @@ pub(crate) fn mark(fired: &mut [u32], sets: &mut [u32], transition: usize) {
     };
     let is_first = *marks == 0;
     *marks |= 1 << (transition % 32);
-    let group = place / GROUP;
     // The set of marked groups is the first one.
-    if is_first && let Some(row) = sets.get_mut(group / 32) {
+    if is_first {
+        insert(sets, 0, place);
+    }
+}
+
+/// Puts the group of a word into the set whose bits begin at a row, if sets are kept.
+#[inline(always)]
+fn insert(sets: &mut [u32], first: usize, place: usize) {
+    let group = place / GROUP;
+    if let Some(row) = sets.get_mut(first + group / 32) {
         *row |= 1 << (group % 32);
     }
 }

@@ -151,9 +151,16 @@ impl Armed {
         )
     }
 
+    /// What is armed, if it is known. In a long table the row that stands for none is one of another step.
+    #[inline(always)]
+    pub(crate) fn arm(self, arms: &[Arm]) -> Option<&Arm> {
+        let known = arms.get(..usize::from(Self::NO_ROW)).unwrap_or(arms);
+        known.get(self.row())
+    }
+
     /// The row of the arms.
     #[inline(always)]
-    pub(crate) const fn row(self) -> usize {
+    const fn row(self) -> usize {
         self.plain_row() % Self::ROWS
     }
 
@@ -245,6 +252,22 @@ mod tests {
         assert_eq!(Armed::by(32_766, &term, false).row(), 32_766);
         assert_eq!(Armed::by(32_767, &term, false), Armed::UNKNOWN);
         assert_eq!(Armed::by(u16::MAX, &term, false), Armed::UNKNOWN);
+    }
+
+    #[test]
+    fn what_is_not_known_is_no_row_of_a_table_however_long() {
+        let arms = [Arm::alone(7); Armed::ROWS + 1];
+        for armed in [Armed::UNKNOWN, Armed::NOTHING] {
+            assert_eq!(armed.arm(&arms), None);
+        }
+        let term = Term {
+            word: 0,
+            mask: 1,
+            state: 1,
+        };
+        let last = Armed::by(32_766, &term, false);
+        assert_eq!(last.arm(&arms), Some(&Arm::alone(7)));
+        assert_eq!(last.arm(&arms[..32_766]), None);
     }
 
     #[test]
