@@ -17,11 +17,11 @@ from bounds import ask, count_inputs, load, longest_scan
 WORK = Path(__file__).resolve().parents[2] / "grafcet" / "src" / "bound" / "work.rs"
 MARGIN = 1.2
 # From this on a bound is thought to be long, and weighs the more.
-LONG, WEIGHT = 1.7, 3
+LONG, WEIGHT = 1.9, 20
 # From this on it is long by its structure, whatever the costs, and weighs nothing.
-HOPELESS = 2.3
+HOPELESS = 2.2
 # What it weighs when a cost moves by as much as it is.
-INERTIA = 0.1
+INERTIA = 0.5
 
 
 def main():
@@ -68,7 +68,7 @@ def fit(work, longest, now):
         weights,
         A_ub=numpy.vstack([matrix for matrix, _ in limits]),
         b_ub=numpy.concatenate([limit for _, limit in limits]),
-        bounds=[(cost / 3, cost * 4) for cost in now] + [(0, None)] * (kinds + programs),
+        bounds=[(cost / 2, cost * 5) for cost in now] + [(0, None)] * (kinds + programs),
     )
     if not found.success:
         raise SystemExit(found.message)

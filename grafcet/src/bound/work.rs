@@ -67,58 +67,58 @@ macro_rules! kinds {
 
 kinds! {
     /// The scan itself.
-    Scan 406 436 48
+    Scan 414 435 48
     /// Outputs that are neighbours are collected.
-    Lane 36 36 363
+    Lane 36 36 352
     /// A round of a program that evolves `stable`.
-    Round 58 60 48
+    Round 139 221 215
     /// A word of situations is looked at on one of the walks over steps.
-    Word 50 11 21
+    Word 32 11 19
     /// Steps that sleep are passed over, four at a time.
-    Sleepers 20 43 51
+    Sleepers 54 22 55
     /// A step that is active, or was, is visited on one of the walks.
-    Visit 23 3 3
+    Visit 16 3 3
     /// The same in a program that evolves `stable`.
-    VisitInRounds 120 100 80
+    VisitInRounds 57 126 88
     /// A transition is looked at.
-    Arm 23 10 21
-    ArmLooped 1092 1183 545
+    Arm 25 32 24
+    ArmLooped 887 947 545
     /// A masked word is compared.
-    Term 16 29 6
-    TermLooped 106 17 18
+    Term 8 28 3
+    TermLooped 53 17 18
     /// A timer on a step is looked at, one that is asked for only while the step is active.
-    OwnTimer 76 142 233
-    OwnTimerLooped 649 342 293
+    OwnTimer 57 138 218
+    OwnTimerLooped 325 342 319
     /// Any other.
     Timer 60 139 150
     TimerLooped 134 134 100
     /// An operation on Booleans.
-    Logic 6 6 2
-    LogicLooped 125 138 86
+    Logic 6 5 2
+    LogicLooped 110 141 82
     /// A piece of code on numbers.
-    Code 320 408 534
+    Code 141 248 234
     /// An operation of it.
     Operation 13 8 4
-    OperationLooped 810 812 474
+    OperationLooped 869 867 585
     /// A multiplication or division, beside that.
     Product 41 41 34
     /// A transition fires.
-    Fire 25 13 6
+    Fire 50 19 6
     FireLooped 700 81 526
     /// A step of a large graph is left or entered.
-    Link 1341 1045 762
+    Link 1507 1105 870
     /// A word of transitions is cleared, where there are several.
     Marks 140 140 113
     /// A word of transitions is searched for those that have fired.
-    Search 37 42 44
+    Search 66 57 44
     /// A momentary statement.
-    Momentary 53 43 15
-    MomentaryLooped 251 150 120
+    Momentary 27 77 15
+    MomentaryLooped 318 150 120
     /// A word of its variables.
-    Target 27 27 23
-    TargetLooped 120 120 45
+    Target 14 27 23
+    TargetLooped 140 120 45
     /// A statement that depends on momentary variables.
-    Dependent 159 232 108
+    Dependent 159 364 108
     /// A word of momentary variables is cleared and compared, where there are several.
     Shown 200 200 150
     /// A stored statement.
@@ -126,7 +126,7 @@ kinds! {
     StoredLooped 30 30 24
     /// It stores a Boolean.
     Bit 14 14 12
-    BitLooped 1096 1177 851
+    BitLooped 1192 1147 862
     /// It stores a number.
     Number 23 23 18
     NumberLooped 114 38 30
@@ -135,13 +135,13 @@ kinds! {
     /// The time of an activation is noted.
     Stamp 15 15 18
     /// A word of inputs is searched for edges.
-    Edges 185 95 94
+    Edges 311 153 110
     /// An edge with a memory of its own.
-    Edge 875 292 700
+    Edge 338 114 214
     EdgeLooped 75 75 60
     /// A timer with a memory of its own.
-    Delay 1542 1582 1345
-    DelayLooped 1200 1124 432
+    Delay 1724 1345 1727
+    DelayLooped 1024 1124 432
     /// A Boolean that is worked out in every scan.
     Value 200 200 150
     ValueLooped 300 300 250
@@ -150,35 +150,35 @@ kinds! {
     /// A step of its expansion.
     Inner 26 26 15
     /// A graph takes its place in the hierarchy.
-    Graph 48 59 123
-    GraphLooped 2553 2227 1617
+    Graph 105 77 129
+    GraphLooped 2617 2238 1643
     /// A word of its situation is ordered through.
-    Ordered 134 134 36
+    Ordered 149 157 36
     /// An order.
     Order 84 84 67
-    OrderLooped 41 38 108
+    OrderLooped 26 38 108
     /// A step that encloses a graph.
     Enclosing 300 300 250
     /// A word of a situation is given.
-    Given 45 38 62
+    Given 23 38 62
     /// A word of situations is passed on the walks of a large program.
     WordLooped 89 83 168
     /// A word of the sets of words of a large program.
     Sets 200 200 160
     /// A step is visited in a large program.
-    VisitLooped 428 1111 714
+    VisitLooped 713 1111 695
     /// In a word of a large program it is known what is armed, and one Boolean says whether it fires.
     Followed 200 130 100
     /// There it takes more than a Boolean.
-    FollowedCloser 988 840 484
+    FollowedCloser 959 818 484
     /// A transition fires there.
-    FollowedFire 873 230 200
+    FollowedFire 872 230 200
     /// It is known of a word that nothing is to be shown.
     FollowedPassed 200 180 201
     /// It is noted that it does.
     FollowedMark 450 450 400
     /// There is something to be shown.
-    FollowedShown 599 496 298
+    FollowedShown 452 398 221
 }
 
 /// How often what is done.
