@@ -77,11 +77,11 @@ impl Acting<'_> {
         }
         // When its own evolution is void, it stays what it was or takes what it is given.
         let stays = self.heaviest(cpu, |place| self.void(place, part) + self.stay(place, part));
-        let given = self
-            .activity
-            .given
-            .iter()
-            .map(|set| self.given(set, part, cpu));
+        let role = self.rows.program.role(self.graph);
+        // What encloses it empties it when that is left.
+        let emptied = (role.enclosings.len > 0).then_some(&[][..]);
+        let sets = self.activity.given.iter().map(Vec::as_slice);
+        let given = sets.chain(emptied).map(|set| self.given(set, part, cpu));
         given.chain([stays]).fold(own, |most, other| {
             match other.work.tenths(cpu) > most.work.tenths(cpu) {
                 true => other,

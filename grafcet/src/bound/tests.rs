@@ -157,6 +157,35 @@ fn a_step_that_nothing_leads_to_is_never_active() {
 }
 
 #[test]
+fn what_empties_a_graph_lets_its_steps_do_what_they_do_when_they_are_left() {
+    let superior = |step: &str| {
+        format!(
+            "graph Superior {{
+                initial step 1; {step}
+                transition 1: 1 -> 2 when a; transition 2: 2 -> 1 when b
+            }}"
+        )
+    };
+    let inferior = |initial: &str, action: &str| {
+        format!("var n : int\ngraph Inferior {{ {initial}step 1 {{ {action}: n = n + 1 }} }}")
+    };
+    let stored = |superior: &str, inferior: &str| {
+        let unit = unit(&format!("{INPUTS}{inferior}\n{superior}"));
+        let work = Bound::of(&unit, Cpu::M4).work();
+        work.counts()
+            .any(|(kind, _)| matches!(kind, Kind::Stored | Kind::StoredLooped))
+    };
+    let enclosing = superior("step 2 encloses Inferior{1}");
+    let emptying = superior("step 2 { F/Inferior:{} }");
+    for action in ["on activation", "on deactivation"] {
+        assert!(stored(&enclosing, &inferior("", action)), "{action}");
+    }
+    assert!(stored(&emptying, &inferior("initial ", "on deactivation")));
+    // It is active from the start, and nothing but the start activates it.
+    assert!(!stored(&emptying, &inferior("initial ", "on activation")));
+}
+
+#[test]
 fn a_program_that_evolves_once_a_scan_has_no_rounds() {
     let graph = "graph G { initial step 1 { Q }; transition 1: 1 -> 1 when a }";
     let bound = Bound::of(&unit(&format!("{INPUTS}{graph}")), Cpu::M4);
