@@ -77,12 +77,18 @@ impl<'p> Rows<'p> {
     fn logic(self, code: Code, known: bool) -> Work {
         let ops = self.operations(code).iter().enumerate();
         ops.map(|(place, op)| {
+            let in_known = known && self.unrolled;
             let known = known && place < KNOWN;
             let beside = match op {
                 Op::Elapsed(row) | Op::AndElapsed(row) => self.timer(*row, known),
                 _ => Work::NONE,
             };
-            Work::one(either(known, Kind::Logic, Kind::LogicLooped)) + beside
+            let kind = match (known, in_known) {
+                (true, _) => Kind::Logic,
+                (false, true) => Kind::LogicBehind,
+                (false, false) => Kind::LogicLooped,
+            };
+            Work::one(kind) + beside
         })
         .sum()
     }

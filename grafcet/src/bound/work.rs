@@ -67,58 +67,60 @@ macro_rules! kinds {
 
 kinds! {
     /// The scan itself.
-    Scan 414 435 48
+    Scan 282 388 302
     /// Outputs that are neighbours are collected.
-    Lane 36 36 352
+    Lane 36 36 88
     /// A round of a program that evolves `stable`.
-    Round 139 221 215
+    Round 46 171 210
     /// A word of situations is looked at on one of the walks over steps.
-    Word 32 11 19
+    Word 16 11 22
     /// Steps that sleep are passed over, four at a time.
-    Sleepers 54 22 55
+    Sleepers 88 39 48
     /// A step that is active, or was, is visited on one of the walks.
-    Visit 16 3 3
+    Visit 18 3 2
     /// The same in a program that evolves `stable`.
-    VisitInRounds 57 126 88
+    VisitInRounds 73 114 106
     /// A transition is looked at.
-    Arm 25 32 24
-    ArmLooped 887 947 545
+    Arm 14 33 12
+    ArmLooped 1206 853 639
     /// A masked word is compared.
-    Term 8 28 3
-    TermLooped 53 17 18
+    Term 8 26 3
+    TermLooped 27 17 18
     /// A timer on a step is looked at, one that is asked for only while the step is active.
-    OwnTimer 57 138 218
-    OwnTimerLooped 325 342 319
+    OwnTimer 62 171 194
+    OwnTimerLooped 226 342 356
     /// Any other.
     Timer 60 139 150
     TimerLooped 134 134 100
     /// An operation on Booleans.
-    Logic 6 5 2
-    LogicLooped 110 141 82
+    Logic 29 5 2
+    LogicLooped 340 292 188
+    /// One behind the fourth of a condition of which the others are known.
+    LogicBehind 61 80 36
     /// A piece of code on numbers.
-    Code 141 248 234
+    Code 61 245 147
     /// An operation of it.
     Operation 13 8 4
-    OperationLooped 869 867 585
+    OperationLooped 919 867 622
     /// A multiplication or division, beside that.
     Product 41 41 34
     /// A transition fires.
-    Fire 50 19 6
+    Fire 17 19 3
     FireLooped 700 81 526
     /// A step of a large graph is left or entered.
-    Link 1507 1105 870
+    Link 1714 1261 1034
     /// A word of transitions is cleared, where there are several.
     Marks 140 140 113
     /// A word of transitions is searched for those that have fired.
-    Search 66 57 44
+    Search 204 75 44
     /// A momentary statement.
-    Momentary 27 77 15
+    Momentary 123 61 15
     MomentaryLooped 318 150 120
     /// A word of its variables.
-    Target 14 27 23
-    TargetLooped 140 120 45
+    Target 14 27 78
+    TargetLooped 250 120 45
     /// A statement that depends on momentary variables.
-    Dependent 159 364 108
+    Dependent 331 635 108
     /// A word of momentary variables is cleared and compared, where there are several.
     Shown 200 200 150
     /// A stored statement.
@@ -126,22 +128,22 @@ kinds! {
     StoredLooped 30 30 24
     /// It stores a Boolean.
     Bit 14 14 12
-    BitLooped 1192 1147 862
+    BitLooped 551 705 540
     /// It stores a number.
     Number 23 23 18
-    NumberLooped 114 38 30
+    NumberLooped 35 38 30
     /// An event is looked at.
     Event 150 150 120
     /// The time of an activation is noted.
-    Stamp 15 15 18
+    Stamp 15 15 9
     /// A word of inputs is searched for edges.
-    Edges 311 153 110
+    Edges 194 145 49
     /// An edge with a memory of its own.
-    Edge 338 114 214
+    Edge 245 140 191
     EdgeLooped 75 75 60
     /// A timer with a memory of its own.
-    Delay 1724 1345 1727
-    DelayLooped 1024 1124 432
+    Delay 1330 839 1502
+    DelayLooped 512 1124 432
     /// A Boolean that is worked out in every scan.
     Value 200 200 150
     ValueLooped 300 300 250
@@ -150,29 +152,29 @@ kinds! {
     /// A step of its expansion.
     Inner 26 26 15
     /// A graph takes its place in the hierarchy.
-    Graph 105 77 129
-    GraphLooped 2617 2238 1643
+    Graph 123 106 131
+    GraphLooped 2658 2179 1681
     /// A word of its situation is ordered through.
-    Ordered 149 157 36
+    Ordered 75 157 36
     /// An order.
-    Order 84 84 67
-    OrderLooped 26 38 108
+    Order 84 84 141
+    OrderLooped 13 38 108
     /// A step that encloses a graph.
     Enclosing 300 300 250
     /// A word of a situation is given.
-    Given 23 38 62
+    Given 12 38 62
     /// A word of situations is passed on the walks of a large program.
     WordLooped 89 83 168
     /// A word of the sets of words of a large program.
     Sets 200 200 160
     /// A step is visited in a large program.
-    VisitLooped 713 1111 695
+    VisitLooped 812 1111 662
     /// In a word of a large program it is known what is armed, and one Boolean says whether it fires.
     Followed 200 130 100
     /// There it takes more than a Boolean.
     FollowedCloser 959 818 484
     /// A transition fires there.
-    FollowedFire 872 230 200
+    FollowedFire 874 230 205
     /// It is known of a word that nothing is to be shown.
     FollowedPassed 200 180 201
     /// It is noted that it does.
