@@ -128,8 +128,8 @@ impl<'t> Twins<'t> {
     pub fn agree(&self) -> bool {
         let [one, other, unwatched] = &self.looped;
         are_alike(one, other)
-            && without_end(one.image().to_vec()) == without_end(unwatched.image().to_vec())
             && one.numbers() == unwatched.numbers()
+            && bits(one) == bits(unwatched)
             && self.written_out.as_ref().is_none_or(|[other, unwatched]| {
                 are_alike(one, other)
                     && one.numbers() == unwatched.numbers()
@@ -190,13 +190,21 @@ fn are_alike<P: Compiled, Q: Compiled>(
         && bits(one) == bits(other)
 }
 
-/// All Booleans, but for `System:first_scan` where nobody reads it: an image does not keep it then.
+/// All Booleans, but for what nobody reads: `System:first_scan`, which an image does not keep then, and what inputs were
+/// whose edges nobody asks for, which an idle scan does not look at.
 fn bits<P: Compiled>(engine: &Engine<P, Vectors>) -> Vec<u32> {
     let mut words = engine.image().to_vec();
     if let Some(system) = words.first_mut()
         && !engine.program().reads_first_scan
     {
         *system &= !Bit::FIRST_SCAN.mask();
+    }
+    for edges in engine.program().edges {
+        let read = [edges.rises, edges.falls].into_iter().flatten();
+        let read = read.fold(0, |bits, seen| bits | seen.bits);
+        if let Some(last) = words.get_mut(usize::from(edges.last)) {
+            *last &= read;
+        }
     }
     without_end(words)
 }
