@@ -97,20 +97,27 @@ impl<'a> Settling<'a> {
         if sources.any(|gate| gate.later.contains(&true)) {
             return None;
         }
+        // A free graph has fired in the first round, or does not in this scan.
+        let has_fired = is_free && self.is_prompt && self.is_single;
         let mut heights = vec![0; self.graph.steps.size()];
         for way in 0..1 << self.inputs {
             let entered = self.entered(way)?;
-            for (step, height) in heights.iter_mut().enumerate() {
-                let leaving = self.gates.iter();
-                let leaving = leaving.filter(|gate| gate.firing.leaves.first() == Some(&step));
-                let reached = match is_free && self.is_prompt && self.is_single {
-                    // It has fired in the first round, or does not in this scan.
-                    true => self
-                        .height(leaving.filter(|it| it.is(&it.at_first, way)), &entered)
-                        .saturating_sub(1),
-                    false => self.height(leaving.filter(|it| it.is(&it.later, way)), &entered),
+            let mut reached: Vec<u64> = vec![0; heights.len()];
+            for gate in &self.gates {
+                let opens = if has_fired {
+                    &gate.at_first
+                } else {
+                    &gate.later
                 };
-                *height = (*height).max(reached);
+                let first = gate.firing.leaves.first();
+                if let Some(reached) = first.and_then(|step| reached.get_mut(*step))
+                    && gate.is(opens, way)
+                {
+                    *reached = self.either(*reached, gate.leads_to(&entered));
+                }
+            }
+            for (height, reached) in heights.iter_mut().zip(reached) {
+                *height = reached.saturating_sub(u64::from(has_fired)).max(*height);
             }
         }
         let most = self.graph.steps.heaviest(&heights, self.graph.most);
@@ -152,19 +159,21 @@ impl<'a> Settling<'a> {
         }
         let mut heights = vec![0; size];
         for step in order.iter().rev() {
-            let height = self.height(leaving.get(*step)?.iter().copied(), &heights);
+            let leaving = leaving.get(*step)?.iter();
+            let height = leaving.fold(0, |height, gate| {
+                self.either(height, gate.leads_to(&heights))
+            });
             *heights.get_mut(*step)? = height;
         }
         Some(heights)
     }
 
-    /// How many firings a step can lead to that these transitions leave.
-    fn height<'g>(&self, leaving: impl Iterator<Item = &'g Gate<'g>>, entered: &[u64]) -> u64 {
-        let heights = leaving.map(|gate| gate.leads_to(entered));
+    /// How many firings a step can lead to that two transitions leave.
+    fn either(&self, one: u64, other: u64) -> u64 {
         match self.is_single {
-            true => heights.max().unwrap_or(0),
-            // Several can leave it at once.
-            false => heights.fold(0, u64::saturating_add),
+            true => one.max(other),
+            // Both can leave it at once.
+            false => one.saturating_add(other),
         }
     }
 }
