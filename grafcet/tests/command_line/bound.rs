@@ -19,19 +19,27 @@ fn bound(said: &Said) -> serde_json::Value {
     serde_json::from_str(&said.out).unwrap()
 }
 
+/// That there are lines that begin like this.
+fn has_lines(said: &Said, lines: &[&str]) {
+    for line in lines {
+        let found = said.out.lines().any(|said| said.starts_with(line));
+        assert!(found, "{line}: {said:?}");
+    }
+}
+
 #[test]
 fn a_bound_is_stated_for_each_processor_with_what_it_is_made_of() {
     let said = desk().grafcet(&["bound", "drill.grafcet"]);
     assert_eq!((said.code, said.err.as_str()), (Some(0), ""), "{said:?}");
-    for line in [
-        "Cortex-M0+  ",
-        "Cortex-M4   ",
-        "whatever is active",
-        "Drill in step ",
-    ] {
-        let found = said.out.lines().any(|said| said.starts_with(line));
-        assert!(found, "{line}: {said:?}");
-    }
+    has_lines(
+        &said,
+        &[
+            "Cortex-M0+  ",
+            "Cortex-M4   ",
+            "whatever is active",
+            "Drill in step ",
+        ],
+    );
     assert!(!said.out.contains('\u{1b}'), "no colours: {said:?}");
 }
 
@@ -89,15 +97,15 @@ fn the_rounds_of_a_program_that_evolves_stable_are_named() {
         ("races.grafcet", &STABLE.replace("TRIGGER", "a")),
     ]);
     let said = desk.grafcet(&["bound", "settles.grafcet"]);
-    for line in [
-        "The program evolves stable: 3 rounds at most",
-        "a round behind the first ",
-        "all firings in those ",
-        "behind the last round ",
-    ] {
-        let found = said.out.lines().any(|said| said.starts_with(line));
-        assert!(found, "{line}: {said:?}");
-    }
+    has_lines(
+        &said,
+        &[
+            "The program evolves stable: 3 rounds at most",
+            "a round behind the first ",
+            "all firings in those ",
+            "behind the last round ",
+        ],
+    );
     let settles = bound(&desk.grafcet(&["bound", "--format", "json", "settles.grafcet"]));
     let of = |name: &str| settles["m4"][name].as_u64().unwrap();
     assert!(of("a_later_round") <= of("a_round"), "{settles}");
