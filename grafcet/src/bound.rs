@@ -64,38 +64,44 @@ pub enum Sharer {
 }
 
 impl Bound {
-    /// Of a controller.
+    /// Of a controller, on each of [`Cpu::ALL`].
     #[must_use]
-    pub fn of(unit: &Unit, cpu: Cpu) -> Self {
-        let tables = unit.tables.program();
-        let program = &tables;
-        let rows = Rows::of(program);
-        let graphs: Vec<Acting<'_>> = program
-            .graphs
-            .iter()
-            .enumerate()
-            .map(|(index, graph)| Acting {
-                rows,
-                graph,
-                activity: Activity::of(program, index, graph),
-            })
-            .collect();
+    pub fn of(unit: &Unit) -> [Bound; Cpu::ALL.len()] {
+        let program = unit.tables.program();
+        let rows = Rows::of(&program);
+        let graphs = program.graphs.iter().enumerate();
+        let graphs = graphs.map(|(index, graph)| Acting {
+            rows,
+            graph,
+            activity: Activity::of(&program, index, graph),
+        });
+        let graphs: Vec<Acting<'_>> = graphs.collect();
         let activities: Vec<&Activity> = graphs.iter().map(|graph| &graph.activity).collect();
-        let rounds = Rounds::of(program, &activities);
         let lanes = Work::of(Kind::Lane, lanes(&unit.symbols.variables));
-        let once = once(rows) + lanes + walks(rows, &graphs, Walks::Scan);
-        let repeated = repeated(rows, marked(rows, &graphs)) + walks(rows, &graphs, Walks::Round);
+        let parts = Parts {
+            evolution: program.evolution,
+            rounds: Rounds::of(&program, &activities),
+            once: once(rows) + lanes + walks(rows, &graphs, Walks::Scan),
+            repeated: repeated(rows, marked(rows, &graphs)) + walks(rows, &graphs, Walks::Round),
+            graphs,
+        };
+        Cpu::ALL.map(|cpu| Bound::on(cpu, &parts))
+    }
+
+    fn on(cpu: Cpu, parts: &Parts<'_>) -> Self {
+        let Parts { graphs, rounds, .. } = parts;
+        let (once, repeated) = (parts.once.clone(), parts.repeated.clone());
         let mut quiet = Work::NONE;
         let mut firings = Work::NONE;
-        let (part, always, end) = match program.evolution {
+        let (part, always, end) = match parts.evolution {
             Evolution::Scan => (Part::Scan, repeated + once, Work::NONE),
             Evolution::Stable => {
                 let always = repeated + Work::one(Kind::Round);
                 quiet += always.clone();
-                for graph in &graphs {
+                for graph in graphs {
                     quiet += graph.most(Part::Quiet, cpu).work + graph.sources(Part::Quiet, cpu);
                 }
-                if let Rounds::Settle { firings: each, .. } = &rounds {
+                if let Rounds::Settle { firings: each, .. } = rounds {
                     let each = graphs.iter().zip(each);
                     firings = each.map(|(graph, times)| graph.later(cpu) * *times).sum();
                 }
@@ -119,7 +125,7 @@ impl Bound {
         Bound {
             cpu,
             shares,
-            rounds,
+            rounds: rounds.clone(),
             quiet,
             firings,
             end,
@@ -153,6 +159,17 @@ impl Bound {
     pub fn instructions(&self) -> u64 {
         self.work().instructions(self.cpu)
     }
+}
+
+/// What is the same on all processors.
+struct Parts<'p> {
+    graphs: Vec<Acting<'p>>,
+    evolution: Evolution,
+    rounds: Rounds,
+    /// What is done once in a scan, whatever is active.
+    once: Work,
+    /// What is done once in a round.
+    repeated: Work,
 }
 
 /// What is done once in a scan, beside walks over steps.

@@ -108,9 +108,7 @@ impl Trigger {
     /// The timers that it depends on, by their rows.
     #[must_use]
     pub fn timers(&self) -> Vec<u16> {
-        let mut things = BTreeSet::new();
-        self.rest.things(&mut things);
-        let timers = things.into_iter().filter_map(|thing| match thing {
+        let timers = self.things().into_iter().filter_map(|thing| match thing {
             Thing::Timer(row) => Some(row),
             _ => None,
         });
@@ -124,14 +122,7 @@ impl Trigger {
         such_bits: impl Fn(u16) -> bool,
         such_timers: impl Fn(u16) -> bool,
     ) -> bool {
-        let mut things: BTreeSet<Thing> = self
-            .terms
-            .iter()
-            .flat_map(literals)
-            .map(|it| it.0)
-            .collect();
-        self.rest.things(&mut things);
-        things.into_iter().all(|thing| match thing {
+        self.things().into_iter().all(|thing| match thing {
             Thing::Bit(bit) => such_bits(bit),
             Thing::Timer(timer) => such_timers(timer),
             Thing::Pair(..) | Thing::Value(_) => false,
@@ -148,6 +139,14 @@ impl Trigger {
         let mut literals = self.terms.iter().flat_map(literals);
         literals.all(|(thing, is)| *stand.entry(thing).or_insert(is) == is)
             && hold_at_once(&[&self.rest], stand)
+    }
+
+    /// All that it depends on.
+    fn things(&self) -> BTreeSet<Thing> {
+        let literals = self.terms.iter().flat_map(literals);
+        let mut things = literals.map(|(thing, _)| thing).collect();
+        self.rest.things(&mut things);
+        things
     }
 
     /// Tries all ways in which what the two depend on can stand.

@@ -41,8 +41,8 @@ impl Clocks {
 /// As one JSON object.
 #[must_use]
 pub fn json(unit: &Unit, clocks: Clocks) -> serde_json::Value {
-    let bounds = Cpu::ALL.map(|cpu| {
-        let bound = Bound::of(unit, cpu);
+    let bounds = Bound::of(unit).map(|bound| {
+        let cpu = bound.cpu;
         let shares = bound.shares.iter().map(|share| {
             let (name, steps) = names(&unit.symbols, &share.of);
             json!({
@@ -74,7 +74,7 @@ pub fn json(unit: &Unit, clocks: Clocks) -> serde_json::Value {
 /// A small table, and what the figures are made of.
 #[must_use]
 pub fn text(unit: &Unit, clocks: Clocks) -> String {
-    let bounds = Cpu::ALL.map(|cpu| Bound::of(unit, cpu));
+    let bounds = Bound::of(unit);
     let period_us = u64::from(unit.tables.period_ms) * 1000;
     let took = |bound: &Bound| clocks.microseconds(bound.cpu, bound.instructions());
     let mut table = Table::default();

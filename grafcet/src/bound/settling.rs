@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use grafcet_compiler::activity::{Activity, Firing};
+use grafcet_compiler::activity::{Activity, Asks, Firing};
 use grafcet_core::program::{Graph, Preset, Program, Timer};
 
 use super::rounds::Steady;
@@ -227,17 +227,16 @@ impl<'a> Gate<'a> {
 
 /// The inputs of which one transition may ask to be True and another to be False; of too many those that most ask.
 fn telling(firings: &[&Firing], steady: &Steady) -> Vec<u16> {
-    let mut asked: BTreeMap<u16, (bool, bool, usize)> = BTreeMap::new();
+    let mut asked: BTreeMap<u16, (Asks, usize)> = BTreeMap::new();
     for (bit, asks) in firings.iter().flat_map(|firing| firing.trigger.bits()) {
-        let (to_be_true, to_be_false, times) = asked.entry(bit).or_default();
-        *to_be_true |= asks.to_be_true;
-        *to_be_false |= asks.to_be_false;
+        let (all, times) = asked.entry(bit).or_default();
+        all.to_be_true |= asks.to_be_true;
+        all.to_be_false |= asks.to_be_false;
         *times += 1;
     }
-    asked.retain(|bit, (to_be_true, to_be_false, _)| {
-        steady.is_input(*bit) && *to_be_true && *to_be_false
-    });
-    let mut telling: Vec<(u16, usize)> = asked.into_iter().map(|(bit, it)| (bit, it.2)).collect();
+    asked.retain(|bit, (asks, _)| steady.is_input(*bit) && asks.to_be_true && asks.to_be_false);
+    let times = asked.into_iter().map(|(bit, (_, times))| (bit, times));
+    let mut telling: Vec<(u16, usize)> = times.collect();
     telling.sort_by_key(|(_, times)| std::cmp::Reverse(*times));
     telling
         .into_iter()

@@ -9,7 +9,7 @@ use grafcet_compiler::application::Unit;
 use grafcet_compiler::{Target, compile};
 
 use super::rounds::Rounds;
-use super::work::{Cpu, Kind};
+use super::work::Kind;
 use super::{Bound, Sharer};
 
 pub fn unit(text: &str) -> Unit {
@@ -171,7 +171,8 @@ fn what_empties_a_graph_lets_its_steps_do_what_they_do_when_they_are_left() {
     };
     let stored = |superior: &str, inferior: &str| {
         let unit = unit(&format!("{INPUTS}{inferior}\n{superior}"));
-        let work = Bound::of(&unit, Cpu::M4).work();
+        let [.., bound] = Bound::of(&unit);
+        let work = bound.work();
         work.counts()
             .any(|(kind, _)| matches!(kind, Kind::Stored | Kind::StoredLooped))
     };
@@ -188,7 +189,7 @@ fn what_empties_a_graph_lets_its_steps_do_what_they_do_when_they_are_left() {
 #[test]
 fn a_program_that_evolves_once_a_scan_has_no_rounds() {
     let graph = "graph G { initial step 1 { Q }; transition 1: 1 -> 1 when a }";
-    let bound = Bound::of(&unit(&format!("{INPUTS}{graph}")), Cpu::M4);
+    let [.., bound] = Bound::of(&unit(&format!("{INPUTS}{graph}")));
     assert_eq!(
         (&bound.rounds, bound.round()),
         (&Rounds::One, bound.instructions())
@@ -211,8 +212,7 @@ fn ring() -> String {
 #[test]
 fn of_a_sequence_the_step_that_takes_the_most_counts() {
     let unit = unit(&ring());
-    for cpu in Cpu::ALL {
-        let bound = Bound::of(&unit, cpu);
+    for bound in Bound::of(&unit) {
         let Sharer::Graph(0, steps) = &bound.shares[1].of else {
             panic!("{:?}", bound.shares);
         };
@@ -223,6 +223,6 @@ fn of_a_sequence_the_step_that_takes_the_most_counts() {
             .counts()
             .find(|(kind, _)| *kind == Kind::Stored);
         assert_eq!(stored, Some((Kind::Stored, 1)));
-        assert!(bound.instructions() > bound.shares[0].work.instructions(cpu));
+        assert!(bound.instructions() > bound.shares[0].work.instructions(bound.cpu));
     }
 }
